@@ -26,7 +26,7 @@ std::vector<double> line_of(const std::vector<double>& numbers, const MatrixLine
   return values;
 }
 
-/// Refuses an array that is no vector, with a row or column of it that could be named.
+/// Refuses an array that is not a vector; the error names a row or column of a matrix.
 void require_vector(const Where& where, const Shape& shape) {
   Shape extents = shape;
   std::erase(extents, 1);

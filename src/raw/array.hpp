@@ -20,25 +20,25 @@ struct Where {
   std::string name;
 };
 
-/// An array of numbers that is read when it is asked for.
+/// An array of numbers. `numbers` reads them when called.
 struct Array {
   Shape shape;
-  bool is_column_major;  ///< the first index runs fastest, as in MATLAB; else the last one does
+  bool is_column_major;  ///< first index varies fastest, as in MATLAB; otherwise the last one
   std::function<std::vector<double>()> numbers;
 };
 
 /// Throws Error(bad_input) with "FILE: variable K.Y <what>".
 [[noreturn]] void refuse(const Where& where, const std::string& what);
 
-/// The product of the extents; the largest number where it is larger.
+/// Returns the product of the extents, or the largest number on overflow.
 std::size_t count_of(const Shape& shape);
 
-/// The number of values in an array of these extents. Throws Error(bad_input) where they are more
-/// than the file can hold (limits.hpp).
+/// Returns the number of values in an array of these extents. Throws Error(bad_input) if the file
+/// cannot hold them (limits.hpp).
 std::size_t possible_count(const Where& where, const Shape& shape);
 
-/// A vector, or a row or column of a matrix. Throws Error(bad_input) where the array is neither,
-/// with a row or column of it that could be named.
+/// Returns a vector, or a row or column of a matrix. Throws Error(bad_input) if the array is
+/// neither; the error names a row or column of a matrix.
 std::vector<double> vector_of(const Where& where, const Array& array,
                               const std::optional<MatrixLine>& line);
 

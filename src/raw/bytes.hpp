@@ -9,7 +9,7 @@
 
 namespace piae::raw {
 
-/// Reads a number of type T at a place among the bytes of a file, which must hold all of it.
+/// Reads a number of type T at byte `at`; `bytes` must hold all of it.
 template <class T = std::uint32_t>
 T number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
   std::array<std::byte, sizeof(T)> own{};
@@ -18,7 +18,7 @@ T number_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
   return std::bit_cast<T>(own);
 }
 
-/// The same as a double, for tables of number types.
+/// Reads a number of type T as a double, for tables of number types.
 template <class T>
 double double_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
   return static_cast<double>(number_at<T>(bytes, at, big_endian));

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True of a line that is blank, a comment or text, as it stands where another table begins.
+/// True if a line is blank, a comment or text without numbers, as above a second table.
 bool holds_no_number(std::string_view line, char separator) {
   if (trimmed(line, blanks).empty() || is_csv_comment(line)) return true;
   for (std::optional rest = line; rest;) {
@@ -25,7 +25,7 @@ bool holds_no_number(std::string_view line, char separator) {
   return holds_letters(line);
 }
 
-/// Refuses a line where numbers end and another table may begin.
+/// Refuses a line without numbers among the samples, because a second table may start there.
 void require_same_table(const fs::path& file, std::size_t number, std::string_view line,
                         const CsvLayout& layout) {
   if (number == layout.first_line || !holds_no_number(line, layout.separator)) return;
@@ -36,7 +36,8 @@ void require_same_table(const fs::path& file, std::size_t number, std::string_vi
                       "of its own");
 }
 
-/// Takes those of a line, which must have as many fields as all, and may end with a separator.
+/// Returns the needed fields of a line. Each line must have the same number of fields, and may end
+/// with a separator.
 CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view line,
                       const CsvLayout& layout) {
   CsvRow found;
@@ -60,8 +61,9 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
   return found;
 }
 
-/// "05" and "-0" are no whole numbers as a program writes them, but what commas leave of 1,05 and
-/// -0,5, unless another field of the line has a decimal point.
+/// True if a field looks like part of a number with a decimal comma: programs write no "05" or
+/// "-0", but 1,05 and -0,5 split at commas leave them. False if another field of the line has a
+/// decimal point.
 bool is_torn_decimal(std::string_view field, std::string_view line) {
   if (line.find('.') != std::string_view::npos) return false;
   const bool is_negative = field.starts_with('-');
@@ -71,8 +73,8 @@ bool is_torn_decimal(std::string_view field, std::string_view line) {
   return (is_negative && field == "0") || is_padded;
 }
 
-/// True if a number with a sign stands where only decimals would, were commas decimal ones: behind
-/// every other comma.
+/// True if a signed number follows an odd comma of a line. If commas were decimal signs, only
+/// decimals, which have no sign, could stand there.
 bool has_signs_behind_commas(std::string_view text) {
   while (!text.empty()) {
     std::size_t index = 0;
@@ -84,7 +86,7 @@ bool has_signs_behind_commas(std::string_view text) {
   return false;
 }
 
-/// The most fields of one moment: a recording has fewer channels.
+/// Largest number of fields of one moment: a recording has fewer channels.
 constexpr std::size_t largest_row = 100;
 
 }  // namespace
@@ -108,8 +110,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
                       fmt::format("column {} holds {}{}", column, csv_field_in_quotes(field), why));
     };
     if (!number) {
-      // A single word in a single column may be one that is garbled, unless it is the column's
-      // name.
+      // A single word in a single column may be a garbled number, unless it is the column's name.
       if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
       refuse(", not a number");
     }

@@ -9,8 +9,8 @@ namespace piae::raw {
 
 namespace {
 
-/// True if a text is several numbers with blanks between them, as a field between two commas is
-/// where blanks are what separates.
+/// True if a text is several numbers with blanks between them. A field between two commas is such a
+/// text if blanks are the separators.
 bool is_numbers_apart(std::string_view text) {
   text = trimmed(text, blanks);
   if (text.find_first_of(blanks) == std::string_view::npos) return false;

@@ -9,29 +9,28 @@ namespace piae::raw {
 
 inline constexpr const char* blanks = " \t";
 
-/// A text without what stands at its ends of these characters.
+/// Returns a text without leading and trailing characters of `what`.
 inline std::string_view trimmed(std::string_view text, const char* what) {
   const std::size_t first = text.find_first_not_of(what);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
-/// Tells text, such as names of columns, by its letters. A damaged number has none, or is one of a
-/// few that do.
+/// True if the text has letters, as column names do. Few damaged numbers have any.
 inline bool holds_letters(std::string_view text) {
   return std::ranges::any_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
   });
 }
 
-/// True of a line that begins with # or %.
+/// True if a line starts with # or %.
 inline bool is_csv_comment(std::string_view line) {
   const std::string_view text = trimmed(line, blanks);
   return text.starts_with('#') || text.starts_with('%');
 }
 
-/// Takes the next line off a text, without its LF, CRLF or CRCRLF. What follows the last line end
-/// is no line if it is empty.
+/// Takes the next line off a text, without its LF, CRLF or CRCRLF. Empty text after the last line
+/// end does not count as a line.
 inline std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -40,8 +39,8 @@ inline std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// The end of a field: the next separator that stands in no quotes. A quote opens a field only at
-/// its beginning.
+/// Returns the end of a field: the next separator outside quotes. A quote opens a field only at its
+/// start.
 inline std::size_t end_of_field(std::string_view line, char separator) {
   const std::size_t first = line.find_first_not_of(blanks);
   const bool is_quoted = first != std::string_view::npos && line[first] == '"';
@@ -49,9 +48,9 @@ inline std::size_t end_of_field(std::string_view line, char separator) {
   return line.find(separator, closing == std::string_view::npos ? 0 : closing);
 }
 
-/// Takes the next field off a line, without the blanks and quotes around it; the line is empty once
-/// its last has been taken. A separator ' ' stands for any number of blanks and tabs, which may
-/// stand at the ends of the line, too.
+/// Takes the next field off a line, without the blanks and quotes around it. `line` is empty after
+/// its last field. A separator ' ' means any number of blanks and tabs, also at the ends of the
+/// line.
 inline std::string_view take_field(std::optional<std::string_view>& line, char separator) {
   constexpr const char* around = " \t\"";
   if (separator == ' ') {
@@ -66,19 +65,19 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
   return trimmed(rest.substr(0, end), around);
 }
 
-/// A number with a decimal point or, where commas do not separate the fields, a decimal comma; a
-/// plus may stand before it. None for any other text.
+/// Returns a number with a decimal point or, if commas do not separate the fields, a decimal comma.
+/// A plus may precede it. Returns nothing for any other text.
 std::optional<double> number_in_field(std::string_view field, char separator);
 
-/// Remembers which sign a column has before its decimals. Both in one column are a sign of
-/// thousands.
+/// Remembers the decimal sign of a column. If a column has both a point and a comma, one of them
+/// separates thousands.
 class DecimalSign {
  public:
   DecimalSign() = default;
-  /// Starts with the sign that the file declares, "." or ","; with none otherwise.
+  /// Starts with the declared sign, "." or ","; with no sign for other texts.
   explicit DecimalSign(std::string_view said) : comma_(said == ","), point_(said == ".") {}
 
-  /// True if the field goes together with those before.
+  /// True if the field has the same decimal sign as the fields before.
   bool fits(std::string_view field) {
     comma_ = comma_ || field.find(',') != std::string_view::npos;
     point_ = point_ || field.find('.') != std::string_view::npos;
@@ -90,7 +89,7 @@ class DecimalSign {
   bool point_ = false;
 };
 
-/// Finds the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
+/// Returns the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);
 
 }  // namespace piae::raw

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The numbers begin within so many lines.
+/// Largest number of lines before the numbers.
 constexpr std::size_t most_lines_before = 200;
 
-/// "24.02.2024 10:00:00", "2024-02-24", "10:00:00"
+/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
 bool is_date_or_time(std::string_view text) {
   const auto count = [&](std::string_view signs) {
     return std::ranges::count_if(text, [&](char c) { return signs.find(c) != signs.npos; });
@@ -32,10 +32,10 @@ bool is_date_or_time(std::string_view text) {
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
 }
 
-/// The form in which a number is written.
+/// Format of a number's text.
 struct Form {
   bool has_decimals = false;
-  std::size_t decimals = 0;  ///< digits behind the decimal sign
+  std::size_t decimals = 0;  ///< digits after the decimal sign
   bool has_exponent = false;
 
   bool operator==(const Form&) const = default;
@@ -50,7 +50,7 @@ Form form_of(std::string_view number) {
           .has_exponent = exponent < number.size()};
 }
 
-/// The fields of a line, of which recordings have a few.
+/// Returns the fields of a line. Refuses more than 10,000, because recordings have a few.
 std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number,
                                         std::string_view line, char separator) {
   constexpr std::size_t most = 10'000;
@@ -70,11 +70,11 @@ std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number
 struct Line {
   std::size_t number = 0;
   bool is_comment = false;
-  std::string_view text;       ///< without what makes it a comment
-  std::string_view from_here;  ///< the whole text from this line on
+  std::string_view text;       ///< without comment marks
+  std::string_view from_here;  ///< text from this line to the end
 };
 
-/// The lines at the beginning, without those that are blank.
+/// Returns the first lines that are not blank.
 std::vector<Line> lines_at_beginning(std::string_view text) {
   std::vector<Line> lines;
   for (std::size_t number = 1; number <= most_lines_before && !text.empty(); ++number) {
@@ -111,7 +111,7 @@ class Search {
     return fields_of(file_, line.number, line.text, separator);
   }
 
-  /// True if the numbers of the column may begin here.
+  /// True if the numbers of the column may start here.
   [[nodiscard]] bool holds_number(const Line& line, char separator, std::size_t count,
                                   std::size_t column) const {
     if (line.is_comment) return false;
@@ -140,7 +140,8 @@ class Search {
             .numbers = line.from_here};
   }
 
-  /// A line of text before the numbers; of one with as many fields, the column's is a name.
+  /// Requires a line above the numbers to be text; if it has as many fields, the column's field
+  /// must be a name.
   void require_text(const Line& line, char separator, std::size_t count, std::size_t column) const {
     if (line.is_comment) return;
     const auto found = fields(line, separator);
@@ -160,7 +161,7 @@ class Search {
       const char separator = separator_of(lines_[i].text);
       const std::size_t count = fields(lines_[i], separator).size();
       if (column >= count || !holds_number(lines_[i], separator, count, column)) continue;
-      // A single number among the words of an instrument is followed by something else.
+      // A single number among an instrument's text is followed by something else.
       const bool is_alone =
           i + 1 < lines_.size() && !holds_number(lines_[i + 1], separator, count, column);
       if (is_alone && (has_text_before(i) || holds_letters(lines_[i].text))) continue;
@@ -171,8 +172,8 @@ class Search {
     return header_alone(column);
   }
 
-  /// True of a line with words, such as "Sample rate,12000", whose numbers stand otherwise than in
-  /// the last line looked at.
+  /// True if a line with words, such as "Sample rate,12000", has numbers in other fields than the
+  /// last line read.
   [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
     if (!holds_letters(line.text)) return false;
     const auto is_number = [&](std::string_view field) {
@@ -182,7 +183,7 @@ class Search {
                                is_number, is_number);
   }
 
-  /// Finds the column of times: the one whose name or unit says so, else the first one.
+  /// Finds the column of times by name or unit; otherwise the first column.
   [[nodiscard]] Times times_in(const CsvLayout& found) const {
     const auto first = std::ranges::find(lines_, found.first_line, &Line::number);
     Times unnamed;
@@ -206,12 +207,12 @@ class Search {
     return unnamed;
   }
 
-  /// Refuses numbers above the samples that are written otherwise than all of these: what an
-  /// instrument or a program writes before them, such as the rate, a sensitivity, or the number of
-  /// a column. Of times the first may be a plain 0.
+  /// Refuses numbers above the samples whose format differs from all samples. Instruments and
+  /// programs write such numbers first: the rate, a sensitivity or a column number. Accepts rising
+  /// columns, because the first time may be a plain 0.
   void require_no_other_numbers_above(const CsvLayout& found) const {
-    constexpr std::size_t most = 10;    // such numbers
-    constexpr std::size_t enough = 10;  // samples that show how they are written
+    constexpr std::size_t most = 10;    // largest number of such numbers
+    constexpr std::size_t enough = 10;  // fewest samples that show their format
     std::vector<std::string_view> column;
     for (const Line& line : lines_) {
       if (line.number < found.first_line) continue;
@@ -251,7 +252,8 @@ class Search {
                        [](const Line& line) { return !line.is_comment; });
   }
 
-  /// No number in sight: the first line is a header, and what follows is refused where it is read.
+  /// Takes the first line as a header if no line has numbers; the caller refuses the lines below
+  /// it.
   std::optional<CsvLayout> header_alone(std::size_t column) {
     const auto first = std::ranges::find(lines_, false, &Line::is_comment);
     if (first == lines_.end()) return CsvLayout{};
@@ -262,7 +264,7 @@ class Search {
     return after(static_cast<std::size_t>(first - lines_.begin()), separator, count, column);
   }
 
-  /// Starts below a header, and below its line of units.
+  /// Starts below a header and its line of units.
   [[nodiscard]] CsvLayout after(std::size_t header, char separator, std::size_t count,
                                 std::size_t column) const {
     std::size_t next = header + 1;
@@ -289,11 +291,10 @@ class Search {
            });
   }
 
-  /// The header may separate its names otherwise than the numbers are: by commas where those have
-  /// tabs. So all that may separate is tried. Where the name stands in several lines, that is the
-  /// header which has numbers below it.
+  /// Tries all separators, because a header may have commas while its numbers have tabs. If the
+  /// name is in several lines, the header is the line with numbers below it.
   std::optional<CsvLayout> find_by_name() {
-    std::optional<std::pair<std::size_t, CsvLayout>> without_numbers;  // and its header
+    std::optional<std::pair<std::size_t, CsvLayout>> without_numbers;  // header's index first
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       for (const char separator : {';', '\t', '|', ',', ' '}) {
         const auto header = fields(lines_[i], separator);
@@ -302,7 +303,7 @@ class Search {
         if (times == 0) continue;
         const auto place = std::ranges::find(header, std::string_view(column_));
         const auto column = static_cast<std::size_t>(place - header.begin());
-        // Separators at the end of a header do not name a column.
+        // Trailing separators of a header do not name a column.
         const auto named = std::ranges::find_if(header.rbegin(), header.rend(),
                                                 [](auto name) { return !name.empty(); });
         for (const auto count : {header.size(), header.size() - (named - header.rbegin())}) {
@@ -317,7 +318,7 @@ class Search {
     return without_numbers->second;
   }
 
-  /// Refuses a header with fewer or more names than the lines below it have numbers: its names
+  /// Refuses a header that has fewer or more names than the lines below have numbers: its names
   /// cannot be assigned to columns.
   void require_as_many_fields(std::size_t header, std::size_t names) const {
     for (std::size_t i = header + 1; i < lines_.size(); ++i) {
@@ -361,7 +362,7 @@ class Search {
            holds_number(*line, found.separator, found.fields, found.column);
   }
 
-  /// By what is most like a header: the line before the first one of numbers.
+  /// Refuses the column, with the names in the line above the first numbers, the likeliest header.
   [[noreturn]] void refuse_column() const {
     const Line* header = &lines_.front();
     std::size_t count = 0;

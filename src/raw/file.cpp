@@ -14,7 +14,7 @@ namespace piae::raw {
 
 namespace {
 
-/// Refuses times whose unit the file says, and whose even steps are of another rate.
+/// Refuses even times in a declared unit that contradict the sample rate.
 void require_agreeing_times(const std::filesystem::path& file, const Times& times,
                             double sample_rate_hz) {
   if (times.unit_s == 0 || times.step == 0) return;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t sum_bytes = 16;
 
-/// The header block STREAMINFO (RFC 9639, 8.2), as far as it is needed.
+/// Header block STREAMINFO (RFC 9639, 8.2), the needed fields only.
 struct StreamInfo {
   int bits = 0;  ///< per sample
   std::array<unsigned char, sum_bytes> sum{};
@@ -31,14 +31,14 @@ StreamInfo stream_info(const std::filesystem::path& file) {
   return info;
 }
 
-/// The samples as the sum is computed from them: the channels in turn, the low byte first.
+/// Returns the samples as the MD5 sum covers them: channels interleaved, low byte first.
 std::vector<unsigned char> summed_bytes(SNDFILE* sound, const SF_INFO& info, int bits) {
   std::vector<int> samples(static_cast<std::size_t>(info.frames * info.channels));
   sf_seek(sound, 0, SEEK_SET);
   sf_readf_int(sound, samples.data(), info.frames);
   std::vector<unsigned char> bytes;
   bytes.reserve(samples.size() * static_cast<std::size_t>(bits / 8));
-  for (const int sample : samples) {  // its bits stand at the upper end
+  for (const int sample : samples) {  // libsndfile scales samples to 32 bits
     for (int shift = 32 - bits; shift < 32; shift += 8) {
       bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) >> shift));
     }

@@ -19,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells a format by bytes at one place, and names its reader; null where it is only recognised.
+/// Identifies a format by bytes at one place; `read` is null for a format that is not read.
 struct Mark {
   std::string_view bytes;
   std::size_t at;
   Read read;
-  const char* instead = "";  ///< what it is, and what to do
+  const char* instead = "";  ///< format and how to convert it
 };
 
-/// Reads a format that does not say its sample rate.
+/// Reads a format without a sample rate.
 template <auto read_samples>
 Signal unrated(const fs::path& file, const std::string& variable) {
   return {.samples = read_samples(file, variable)};
@@ -103,11 +103,11 @@ const std::array marks{
     Mark{"[{", 0, nullptr, json},
 };
 
-/// Extensions of formats that say in their first bytes what they are.
+/// Extensions of formats with a mark in their first bytes.
 constexpr std::array marked_extensions{".mat", ".h5",   ".hdf5", ".npy",  ".wav", ".w64",
                                        ".aif", ".aiff", ".flac", ".tdms", ".uff", ".unv"};
 
-/// In lower case, as loggers write .CSV and .MAT, too.
+/// Returns the extension in lower case, because loggers also write .CSV and .MAT.
 std::string extension_of(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -122,8 +122,8 @@ std::string beginning_of(const fs::path& file) {
   return bytes;
 }
 
-/// True of a file of MATLAB, version 4: a matrix of numbers, whose header is five numbers of 4
-/// bytes: type, rows, columns, imaginary or not, length of the name.
+/// True for a MATLAB file of version 4: a matrix of numbers with a header of five 4-byte numbers:
+/// type, rows, columns, imaginary or not, length of the name.
 bool is_mat4(std::string_view bytes) {
   if (bytes.size() < 20) return false;
   const auto number = [&](std::size_t i) {
@@ -158,7 +158,7 @@ Read reader_of(const fs::path& file) {
     refuse_file(
         file, "is of MATLAB, version 4: save it as version 5 (save -v7 FILE, or savemat of SciPy)");
   }
-  return unrated<read_mat>;  // which says what is wrong
+  return unrated<read_mat>;  // read_mat reports what is wrong
 }
 
 }  // namespace piae::raw

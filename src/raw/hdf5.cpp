@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 namespace hdf5 = artefact::hdf5;
 
-/// A file's datasets, as far as a message needs them: there may be millions, in groups that go on
-/// for ever.
+/// Datasets of a file for an error message. Limited, because there may be millions, and groups may
+/// form cycles.
 struct Datasets {
   std::vector<std::string> names;
-  std::string group = "/";  ///< that is looked at, with a slash at its end
+  std::string group = "/";  ///< current group, with a slash at its end
   int groups_above = 0;
   int looked_at = 0;
 };
@@ -62,10 +62,10 @@ herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void
                         hint_at_parts(wanted));
 }
 
-/// Where the links of a path lead.
+/// Target of the links of a path.
 enum class Place { here, nowhere, elsewhere };
 
-/// Follows the links of a path within the file and replaces it by one without soft links.
+/// Follows the links of a path within the file and replaces the path by one without soft links.
 Place resolve(hid_t file, std::string& path) {
   constexpr int most_links = 16;
   int links = 0;
@@ -87,7 +87,7 @@ Place resolve(hid_t file, std::string& path) {
     if (!target.starts_with('/')) target.insert(0, path, 0, begin);
     if (end != std::string::npos) target.append(path, end);
     path = std::move(target);
-    end = 0;  // the target may be a link itself
+    end = 0;  // because the target may be a link
   }
   return Place::here;
 }
@@ -96,7 +96,7 @@ hdf5::Handle opened_object(hid_t file, const std::string& path) {
   return {H5Oopen(file, path.c_str(), H5P_DEFAULT), path.c_str()};
 }
 
-/// The text of an attribute, as far as there is any: other writers than MATLAB pad it with nulls,
+/// Returns the text of an attribute, or "" without one. Writers other than MATLAB pad it with nulls
 /// or leave it out.
 std::string text_attribute(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return "";
@@ -115,8 +115,8 @@ std::string text_attribute(hid_t object, const char* name) {
   return text.substr(0, text.find_last_not_of(std::string_view("\0 ", 2)) + 1);
 }
 
-/// A group or dataset of an HDF5 file, which may be one of MATLAB, version 7.3: there a structure
-/// is a group, and a cell array, or a field of an array of structures, a dataset of references.
+/// A group or dataset of an HDF5 or MATLAB 7.3 file. In MATLAB files a structure is a group. A cell
+/// array, or a field of an array of structures, is a dataset of references.
 class Hdf5Node : public Node {
  public:
   Hdf5Node(const fs::path& file, hdf5::Handle object, bool is_matlab)
@@ -229,7 +229,7 @@ class Hdf5Node : public Node {
   [[nodiscard]] bool is_column_major() const override { return is_matlab_; }
 
  private:
-  /// Refuses values that are packed by a filter this library has no decoder for.
+  /// Refuses values packed by a filter that this library cannot decode.
   void require_known_filters(hid_t creation) const {
     for (int i = 0; i < H5Pget_nfilters(creation); ++i) {
       std::size_t parameters = 0;
@@ -246,7 +246,7 @@ class Hdf5Node : public Node {
                          filter, name.data()));
     }
   }
-  /// True of the pair that h5py makes of a complex number.
+  /// True for h5py's compound type of complex numbers.
   [[nodiscard]] bool is_complex() const {
     const hdf5::Handle type(H5Dget_type(object_), "type");
     return H5Tget_nmembers(type) == 2 && H5Tget_member_index(type, "r") >= 0 &&
@@ -258,7 +258,7 @@ class Hdf5Node : public Node {
     refuse(here("dataset"),
            "has numbers of an unusual type, or is damaged; write it as floats of 32 or 64 bits");
   }
-  /// Where it stands in the file.
+  /// Returns the node's name in the file, for errors.
   [[nodiscard]] Where here(const char* noun) const {
     const auto size =
         static_cast<std::size_t>(std::max<ssize_t>(H5Iget_name(object_, nullptr, 0), 0));
@@ -276,7 +276,7 @@ class Hdf5Node : public Node {
     const hdf5::Handle type(H5Dget_type(object_), "type");
     return H5Tget_class(type);
   }
-  /// True of a field that has a value for each element of an array of structures.
+  /// True for a field with one value per element of an array of structures.
   [[nodiscard]] bool holds_elements() const {
     return is_dataset() && type_class() == H5T_REFERENCE && matlab_class() != "cell";
   }
@@ -293,7 +293,7 @@ hdf5::Handle opened(const fs::path& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};
 }
 
-/// The object at a path; nothing where there is none. Throws where the path leads to another file.
+/// Returns the object at a path, if there is one. Throws if the path leads to another file.
 std::optional<hdf5::Handle> object_at(const fs::path& path, hid_t file, std::string name) {
   const std::string asked = name;
   const Place place = resolve(file, name);
@@ -330,7 +330,7 @@ std::vector<double> read_variable(const fs::path& path, const std::string& wante
   return vector_at(path, std::make_unique<Hdf5Node>(path, std::move(*object), true), steps);
 }
 
-/// HDF5's own errors name no file.
+/// Adds the file to HDF5's errors, which do not name it.
 template <class Action>
 auto naming(const fs::path& file, const Action& action) {
   try {

@@ -23,8 +23,8 @@ using Extents = std::vector<hsize_t>;
 }
 
 struct Filters {
-  /// Those that a writer may leave out for a chunk, since packing may make it larger; bit i stands
-  /// for filter i.
+  /// Filters that a writer may leave out for a chunk, because packing may enlarge it; bit i is
+  /// filter i.
   unsigned optional = 0;
   bool have_checksum = false;
 };
@@ -44,7 +44,7 @@ Filters filters_of(hid_t creation) {
   return filters;
 }
 
-/// Bytes of a chunk that has not been packed.
+/// Returns the bytes of an unpacked chunk.
 hsize_t unpacked_bytes(hid_t dataset, const Filters& filters, const Extents& chunk) {
   const hdf5::Handle type(H5Dget_type(dataset), "type");
   hsize_t bytes = H5Tget_size(type);
@@ -52,7 +52,7 @@ hsize_t unpacked_bytes(hid_t dataset, const Filters& filters, const Extents& chu
   return filters.have_checksum ? bytes + 4 : bytes;
 }
 
-/// Moves to the next chunk; false behind the last one.
+/// Moves to the next chunk; returns false after the last one.
 bool advance(Extents& place, const Extents& chunk, const Extents& extents) {
   for (std::size_t i = place.size(); i-- > 0;) {
     place[i] += chunk[i];
@@ -63,12 +63,12 @@ bool advance(Extents& place, const Extents& chunk, const Extents& extents) {
 }
 
 struct Stored {
-  std::uint32_t left_out = 0;  ///< mask of filters
+  std::uint32_t left_out = 0;  ///< mask of the filters left out
   hsize_t bytes = 0;
 };
 
-/// Looks a chunk up as reading its values does. HDF5's functions that only inform about chunks do
-/// not: they go through the whole index, and find a chunk that reading does not.
+/// Looks up a chunk in the same way as reading values does. HDF5's functions for chunk information
+/// differ: they search the whole index and find chunks that reading does not find.
 Stored stored_chunk(const Where& where, hid_t dataset, const Extents& place,
                     std::vector<std::byte>& buffer) {
   Stored stored;
@@ -115,8 +115,8 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
   }
 }
 
-/// Refuses values in one piece that are more or fewer than the extents say, or go beyond the end of
-/// the file as its first bytes state it: HDF5 would fill in zeros, or read other bytes.
+/// Refuses contiguous values whose size contradicts the extents, or that go beyond the end of the
+/// file that its header states. HDF5 would fill in zeros or read other bytes.
 void require_whole_piece(const Where& where, hid_t dataset) {
   const hdf5::Handle space(H5Dget_space(dataset), "extents");
   const hdf5::Handle type(H5Dget_type(dataset), "type");

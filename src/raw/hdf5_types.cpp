@@ -8,7 +8,7 @@ namespace piae::raw {
 
 namespace {
 
-/// IEEE 754, binary16, for which HDF5 1.10 has no name.
+/// True for IEEE 754 binary16, which HDF5 1.10 has no name for.
 bool is_half(hid_t type) {
   std::size_t sign = 0;
   std::size_t exponent = 0;

@@ -4,9 +4,8 @@
 
 namespace piae::raw {
 
-/// True of integers that fill their bytes, and of floats as machines have them. In HDF5's old
-/// format no checksum covers a type: one flipped bit there makes other numbers of all values, or
-/// crashes libhdf5 1.10.
+/// True for integers that fill their bytes, and for standard floats. HDF5's old format has no
+/// checksum for types: one flipped bit there changes all values, or crashes libhdf5 1.10.
 bool is_standard_number(hid_t type);
 
 }  // namespace piae::raw

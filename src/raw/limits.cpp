@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::uint64_t mb = 1'000'000;
 
-/// Bytes of samples in double precision. One byte of a file can be a whole sample, which makes 8 of
-/// it, and packing real vibration does not halve that twice more. A small file may be packed
-/// better, such as one of a sine.
+/// Returns the most bytes that a file's samples need in double precision. A byte may be a whole
+/// sample, which becomes 8 bytes; the factor of 16 also allows for compression of real vibration.
+/// Small files, such as a sine, may be compressed better.
 std::uint64_t most_sample_bytes(std::uint64_t file_bytes) {
   return std::max({16 * file_bytes, std::min(64 * file_bytes, 128 * mb), mb});
 }
@@ -31,7 +31,7 @@ void limit(int resource, std::uint64_t most, std::uint64_t beyond = 0) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &value);
 }
 
-/// Limits the bytes of a file that this process writes, and returns the limit of before.
+/// Limits the size of files that this process writes; returns the previous limit.
 std::uint64_t limit_files(std::uint64_t most) {
   rlimit value{};
   ::getrlimit(RLIMIT_FSIZE, &value);
@@ -57,7 +57,7 @@ Limits limits_of(const std::vector<fs::path>& files) {
     }
     const std::uint64_t samples = most_sample_bytes(bytes);
     limits.most_samples += samples / sizeof(double);
-    // The file, what a library makes of it, and the samples.
+    // Memory for the file, a library's copies of it, and the samples.
     limits.memory_bytes = std::max(limits.memory_bytes, 64 * mb + 2 * bytes + 2 * samples);
   }
   limits.processor_seconds = 5 + limits.file_bytes / (10 * mb) + files.size() / 1000;
@@ -67,12 +67,12 @@ Limits limits_of(const std::vector<fs::path>& files) {
 
 void keep_to(const Limits& limits) {
   limit(RLIMIT_AS, mapped_bytes() + limits.memory_bytes);
-  limit(RLIMIT_CPU, limits.processor_seconds, 1);  // a signal that says so comes first
+  limit(RLIMIT_CPU, limits.processor_seconds, 1);  // SIGXCPU comes 1 s before SIGKILL
   limit(RLIMIT_CORE, 0);
 }
 
 WritesNoFile::WritesNoFile() : most_before_(limit_files(0)) {
-  ::signal(SIGXFSZ, SIG_IGN);  // which would end the process
+  ::signal(SIGXFSZ, SIG_IGN);  // SIGXFSZ would end the process
 }
 
 WritesNoFile::~WritesNoFile() { limit_files(most_before_); }

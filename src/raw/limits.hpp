@@ -7,29 +7,28 @@
 
 namespace piae::raw {
 
-/// The most bytes of a raw file. Version 5 of MATLAB's files ends at 2 GB.
+/// Largest size of a raw file in bytes. MATLAB files of version 5 end at 2 GB.
 inline constexpr std::uint64_t largest_bytes = 4'000'000'000;
 
-/// Limits of what reading raw files one by one may take. All of it follows from their sizes, since
-/// what a file says of itself may be wrong.
+/// Limits for reading raw files one by one. They follow from the file sizes alone, because a
+/// damaged file may declare anything.
 struct Limits {
-  std::uint64_t file_bytes = 0;    ///< of all
-  std::uint64_t most_samples = 0;  ///< that all can hold, however well they are compressed
+  std::uint64_t file_bytes = 0;    ///< total size of the files
+  std::uint64_t most_samples = 0;  ///< most samples that the files can hold, even if compressed
   std::uint64_t memory_bytes = 0;
   std::uint64_t processor_seconds = 0;
-  std::uint64_t wall_seconds = 0;  ///< more, as a machine or a disk may be busy
+  std::uint64_t wall_seconds = 0;  ///< allows for a busy machine or disk
 };
 
-/// Throws Error(input_missing) for a file that is missing, and Error(bad_input) where one, or all
-/// together, are larger than largest_bytes.
+/// Returns the limits for these files. Throws Error(input_missing) if a file is missing, and
+/// Error(bad_input) if one of them, or all together, exceed largest_bytes.
 Limits limits_of(const std::vector<std::filesystem::path>& files);
 inline Limits limits_of(const std::filesystem::path& file) { return limits_of(std::vector{file}); }
 
-/// Has this process end, or its requests for memory fail, where it takes more.
+/// Limits this process: beyond the limits, memory requests fail or the process ends.
 void keep_to(const Limits& limits);
 
-/// Lets this process write to no file as long as it lives: such a write fails. What it prints
-/// afterwards may go to a file.
+/// Makes all writes to files fail during its lifetime. Output after its lifetime may go to a file.
 class WritesNoFile {
  public:
   WritesNoFile();
@@ -38,7 +37,7 @@ class WritesNoFile {
   ~WritesNoFile();
 
  private:
-  std::uint64_t most_before_;  ///< bytes of a file
+  std::uint64_t most_before_;  ///< previous limit in bytes
 };
 
 }  // namespace piae::raw

@@ -29,12 +29,12 @@ class LvmReader {
   LvmReader(const fs::path& file, std::string_view text) : file_(file), rest_(text) {}
 
   Signal run(const std::string& wanted) {
-    read_header();  // of the file
+    read_header();  // header of the file
     const bool has_times_for_each = entry("X_Columns", 1) == "Multi";
     step_ = has_times_for_each ? 2 : 1;
     sign_ = DecimalSign(entry("Decimal_Separator", 1));
     has_one_heading_ = entry("Multi_Headings", 1) != "Yes";
-    read_header();  // of the segment
+    read_header();  // header of the segment
     names_ = fields(take());
     if (names_.front() != "X_Value") refuse_line("does not name the channels");
     const auto channels = number_in<std::size_t>(entry("Channels", 1)).value_or(0);
@@ -68,7 +68,7 @@ class LvmReader {
 
   /// Reads entries up to the end of a header.
   void read_header() {
-    constexpr std::string_view key = "Separator";  // which stands behind it itself
+    constexpr std::string_view key = "Separator";  // its entry is the key and the separator itself
     for (;;) {
       const std::string_view line = take();
       if (line.starts_with(end_of_header)) return;
@@ -83,14 +83,14 @@ class LvmReader {
     while (!take().starts_with("***End_Special***")) continue;
   }
 
-  /// A field of an entry; nothing where there is none.
+  /// Returns a field of an entry; empty if there is none.
   [[nodiscard]] std::string_view entry(const std::string& key, std::size_t column) const {
     const auto found = entries_.find(key);
     if (found == entries_.end() || column >= found->second.size()) return {};
     return found->second[column];
   }
 
-  /// The places in a line of the values of a channel and of what a header says of it.
+  /// Returns the column of a channel's values and header entries.
   [[nodiscard]] std::size_t column(std::size_t channel) const { return 1 + step_ * channel; }
 
   [[nodiscard]] std::size_t channel(const std::string& wanted, std::size_t channels) const {
@@ -123,7 +123,7 @@ class LvmReader {
     return step && *step > 0 ? std::optional(1 / *step) : std::nullopt;
   }
 
-  /// The values of a channel in each packet, as its header says.
+  /// Returns the number of a channel's values in each packet, from its header.
   [[nodiscard]] std::size_t count_in_packet(std::size_t channel) const {
     const std::string_view field = entry("Samples", column(channel));
     const auto count = number_in<std::size_t>(field);
@@ -134,8 +134,8 @@ class LvmReader {
     return *count;
   }
 
-  /// Packets follow each other without a mark. Where a channel is slower than others, it has values
-  /// in the first rows of each packet, and nothing in the others.
+  /// Packets follow each other without a separator. A slower channel has values in the first rows
+  /// of each packet and empty fields in the other rows.
   std::vector<double> samples(std::size_t channels) {
     std::size_t packet = 0;
     for (std::size_t i = 0; i < channels; ++i) packet = std::max(packet, count_in_packet(i));
@@ -192,11 +192,11 @@ class LvmReader {
   std::string_view rest_;
   std::size_t line_ = 0;
   char separator_ = '\t';
-  std::map<std::string, Fields> entries_;  ///< lines of both headers, by their first field
-  std::size_t step_ = 1;                   ///< from the column of a channel to that of the next
+  std::map<std::string, Fields> entries_;  ///< lines of both headers by their first field
+  std::size_t step_ = 1;                   ///< columns from one channel to the next
   DecimalSign sign_;
   bool has_one_heading_ = true;
-  Fields names_;  ///< names of the columns
+  Fields names_;  ///< column names
   std::size_t channel_ = 0;
 };
 

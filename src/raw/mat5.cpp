@@ -32,7 +32,7 @@ using Variable = std::unique_ptr<matvar_t, Close>;
   refuse_file(path, "truncated, damaged or not a MATLAB file of version 5 or 7.3");
 }
 
-/// The version of a file that libmatio may be given.
+/// Returns the version of a file that libmatio can read safely; refuses others.
 mat_ft readable_version(const fs::path& path, std::span<const std::byte> bytes) {
   const int version = mat_version(bytes);
   if (version == MAT_FT_MAT73 || (version == MAT_FT_MAT5 && is_whole_v5(bytes))) {
@@ -46,7 +46,7 @@ void require_intact(const fs::path& path, std::span<const std::byte> bytes) {
   if (!flaw.empty()) refuse_file(path, "is damaged: " + flaw + "; get it again");
 }
 
-/// The message is a `char*` in matio 1.5.23 (Debian 12), and a `const char*` in 1.5.28 (Debian 13).
+/// Ignores a message: a `char*` in matio 1.5.23 (Debian 12), a `const char*` in 1.5.28 (Debian 13).
 template <class Char>
 void print_nothing(int /*level*/, Char* /*message*/) {}
 
@@ -66,8 +66,8 @@ std::vector<std::string> names_in(const fs::path& path) {
   return names;
 }
 
-/// Refuses a file with several variables of a name: libmatio takes the first one, MATLAB and SciPy
-/// the last one.
+/// Refuses a name with several variables: libmatio takes the first one, MATLAB and SciPy the last
+/// one.
 void require_no_other(const fs::path& path, const std::string& name) {
   const auto count = std::ranges::count(names_in(path), name);
   if (count < 2) return;
@@ -92,7 +92,7 @@ std::vector<double> converted(const matvar_t& variable, std::size_t count) {
   return {first, first + count};
 }
 
-/// Empty where there are fewer than `count`.
+/// Returns the numbers; empty if there are fewer than `count`.
 std::vector<double> numbers_of(const matvar_t& variable, std::size_t count) {
   if (variable.data == nullptr) return {};
   switch (variable.class_type) {
@@ -119,7 +119,7 @@ std::vector<double> numbers_of(const matvar_t& variable, std::size_t count) {
   }
 }
 
-/// A variable of a file of version 5, or a part of one.
+/// A variable of a version 5 file, or a part of one.
 class Mat5Node : public Node {
  public:
   Mat5Node(const fs::path& file, std::shared_ptr<matvar_t> variable)
@@ -179,7 +179,7 @@ class Mat5Node : public Node {
   [[nodiscard]] bool is_column_major() const override { return true; }
 
  private:
-  /// Shares the whole variable, which the part belongs to.
+  /// Returns a part, which shares ownership of the whole variable.
   std::unique_ptr<Node> part(matvar_t* variable) const {
     if (variable == nullptr) return nullptr;
     return std::make_unique<Mat5Node>(file_, std::shared_ptr<matvar_t>(variable_, variable));

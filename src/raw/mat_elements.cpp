@@ -19,7 +19,7 @@ bool is_big_endian(std::span<const std::byte> bytes) { return bytes[126] == std:
 const std::string bad_checksum = "the checksum of what it has compressed does not match";
 const std::string bad_structure = "a variable does not hold what its size and type say";
 
-/// Gives the bytes of an element from its beginning on. Throws what is wrong as a string.
+/// Reads the bytes of an element in order. Throws the flaw as a string.
 class Content {
  public:
   Content() = default;
@@ -43,9 +43,9 @@ class Content {
       count -= some.size();
     }
   }
-  /// The number of bytes that were taken.
+  /// Returns the number of bytes read so far.
   [[nodiscard]] std::uint64_t at() const { return at_; }
-  /// Throws unless this is the end.
+  /// Throws unless all bytes are read.
   virtual void finish() = 0;
 
  private:
@@ -71,12 +71,12 @@ class Plain final : public Content {
   std::span<const std::byte> rest_;
 };
 
-/// Unpacks a zlib stream and keeps nothing of it.
+/// Unpacks a zlib stream without storing the output.
 class Unpacked final : public Content {
  public:
   explicit Unpacked(std::span<const std::byte> packed) {
     if (inflateInit(&stream_) != Z_OK) throw bad_checksum;
-    // zlib does not write there, but has no const.
+    // zlib does not write to its input, but takes a pointer without const.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(packed.data()));
     stream_.avail_in = static_cast<uInt>(packed.size());
   }
@@ -110,7 +110,7 @@ class Unpacked final : public Content {
   bool ended_ = false;
 };
 
-/// The types of numbers (mi...), and the classes of arrays (mx...).
+/// Types of numbers (mi...) and classes of arrays (mx...).
 enum : std::uint32_t {
   mi_int32 = 5,
   mi_uint32 = 6,
@@ -130,20 +130,20 @@ enum : std::uint32_t {
   mx_uint64 = 15
 };
 
-/// Bytes of a number of a type; 0 of what is not a number.
+/// Returns the bytes of a number of this type; 0 for other types.
 std::uint32_t size_of_type(std::uint32_t type) {
   constexpr std::array<std::uint32_t, 14> sizes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
   return type < sizes.size() ? sizes[type] : 0;
 }
 
-/// The type that a class of integers has, from mxINT8 to mxUINT64.
+/// Returns the type of a class of integers, from mxINT8 to mxUINT64.
 std::uint32_t type_of_class(std::uint32_t array_class) {
   constexpr std::array<std::uint32_t, 8> types{1,        2,         3,        4,
                                                mi_int32, mi_uint32, mi_int64, mi_uint64};
   return types.at(array_class - mx_int8);
 }
 
-/// True if values of a class may be stored in a type: their own, or a smaller one that holds them.
+/// True if the class stores its values in this type: its own type or a smaller one that holds them.
 bool may_store(std::uint32_t array_class, std::uint32_t type) {
   const bool is_64_bit_integer = type == mi_int64 || type == mi_uint64;
   if (array_class == mx_double) return size_of_type(type) > 0 && !is_64_bit_integer;
@@ -155,11 +155,11 @@ bool may_store(std::uint32_t array_class, std::uint32_t type) {
 
 struct Tag {
   std::uint32_t type = 0;
-  std::uint32_t size = 0;     ///< bytes of the content
-  std::uint32_t padding = 0;  ///< bytes behind it
+  std::uint32_t size = 0;     ///< content in bytes
+  std::uint32_t padding = 0;  ///< bytes after the content
 };
 
-/// Walks through the elements of one variable.
+/// Checks the elements of one variable.
 class Variables {
  public:
   Variables(Content& content, bool big_endian) : content_(content), big_endian_(big_endian) {}
@@ -171,7 +171,8 @@ class Variables {
 
   std::uint32_t number() { return number_at(content_.take<4>(), 0, big_endian_); }
 
-  /// Content of up to 4 bytes stands in the tag: its size in the upper half of the type.
+  /// Reads a tag. Content of up to 4 bytes is inside the tag, and the type's upper half is its
+  /// size.
   Tag tag() {
     const std::uint32_t first = number();
     if (first >> 16 != 0) {
@@ -219,10 +220,11 @@ class Variables {
     return names.size / name_length;
   }
 
-  /// Passes over everything else, such as text, sparse matrices and objects.
+  /// Checks numbers, structures and cell arrays; skips the content of other classes, such as text,
+  /// sparse matrices and objects.
   void matrix(const Tag& whole, int depth) {
     if (whole.type != mi_matrix || depth > deepest) throw bad_structure;
-    if (whole.size == 0) return;  // an empty part
+    if (whole.size == 0) return;  // empty part
     const std::uint64_t end = content_.at() + whole.size;
     const Tag flags = tag();
     if (flags.type != mi_uint32 || flags.size != 8) throw bad_structure;
@@ -234,7 +236,7 @@ class Variables {
     const bool has_fields = array_class == mx_struct || array_class == mx_object;
     if (is_numeric || has_fields || array_class == mx_cell) {
       const std::uint64_t count = values_of(tag());
-      skip(tag());  // its name
+      skip(tag());  // name
       if (array_class == mx_object) skip(tag());
       for (int i = 0; is_numeric && i < (is_complex ? 2 : 1); ++i) values(array_class, count);
       if (array_class == mx_cell) parts(count, depth);

@@ -7,24 +7,23 @@
 
 namespace piae::raw {
 
-/// How a MATLAB file of version 5 or 7.3 begins: text, and then the version and "MI" or "IM", for
-/// the order of bytes. libmatio is given no other file: it takes those of version 4 at their word.
+/// Header size of MATLAB files of version 5 or 7.3: text, then the version and "MI" or "IM" for the
+/// byte order. Other files never reach libmatio, because it trusts the header of version 4.
 inline constexpr std::size_t mat_header_bytes = 128;
 
-/// The version as the header has it, such as 0x0100 for 5; 0 where it is no such file.
+/// Returns the version in the header, such as 0x0100 for 5; 0 for other files.
 int mat_version(std::span<const std::byte> bytes);
 
-/// True if a file of version 5 is complete: behind the header, one element after another, each with
-/// its type and size (4 bytes each) and its content. libmatio does not say when a file is
-/// truncated, but fills up the missing values.
+/// True if a version 5 file is complete: a header, then elements of type and size (4 bytes each)
+/// and content. libmatio does not report truncated files, but fills in the missing values.
 bool is_whole_v5(std::span<const std::byte> bytes);
 
-/// Says how a whole file of version 5 is damaged; empty where it is not. libmatio would read it:
-///   - a compressed element does not hold what was packed, by the checksum at the end of its stream
-///     (Adler-32, RFC 1950), before which libmatio stops;
-///   - an array has more or fewer values than its dimensions say, or of a type that its class does
-///     not store: libmatio goes by the dimensions and takes bytes of what follows;
-///   - a part of a structure or cell array goes beyond its end.
+/// Returns how a complete version 5 file is damaged; empty if it is intact. libmatio would read it:
+///   - the Adler-32 checksum (RFC 1950) at the end of a compressed element does not match; libmatio
+///     stops reading before it;
+///   - an array has more or fewer values than its dimensions, or a type that its class does not
+///     store; libmatio trusts the dimensions and takes the bytes that follow;
+///   - a part of a structure or cell array exceeds its end.
 /// (MAT-File Format, MathWorks: level 5, "MAT-File Format".)
 std::string flaw_of_v5(std::span<const std::byte> bytes);
 

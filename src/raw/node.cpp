@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Node::Kind;
 
-/// Lists the elements of an array of structures by their field Name, where they have one.
+/// Lists the elements of an array of structures by their field Name, if there is one.
 std::string element_names(const Where& where, const Node& node) {
   constexpr std::size_t most = 10;
   std::vector<std::string> names;
@@ -34,7 +34,7 @@ std::string element_names(const Where& where, const Node& node) {
                             listed(fields), where.name, fields.empty() ? "FIELD" : fields.front()));
 }
 
-/// Refuses what is no array of numbers.
+/// Refuses a node that is not an array of numbers.
 [[noreturn]] void refuse_kind(const Where& where, const Node& node) {
   const std::size_t count = count_of(node.shape());
   if (node.kind() == Kind::text) refuse(where, "does not hold numbers, but text");
@@ -73,7 +73,7 @@ void require_field(const Where& where, const Node& node, const std::string& name
   refuse(where, fmt::format("has no field {}; it has {}", name, listed(fields)));
 }
 
-/// The element of an array of structures whose field `key` holds the text, counted from 0.
+/// Returns the element, counted from 0, whose field `key` holds the text.
 std::size_t element_called(const Where& where, const Node& node, const PathStep& step) {
   if (node.kind() != Kind::structure) refuse_kind(where, node);
   require_field(where, node, step.key);
@@ -94,7 +94,8 @@ std::size_t element_called(const Where& where, const Node& node, const PathStep&
                             element_names(where, node)));
 }
 
-/// The element in a row and a column, counted from 0 down the columns, as MATLAB stores them.
+/// Returns the element in a row and a column, counted from 0 down the columns, as MATLAB stores
+/// them.
 std::size_t element_at(const Where& where, const Shape& shape, const PathStep& step) {
   if (shape.size() != 2 || step.number > shape[0] || step.column > shape[1]) {
     refuse(where, fmt::format("is an array of {}, which has no element ({},{})",
@@ -103,7 +104,7 @@ std::size_t element_at(const Where& where, const Shape& shape, const PathStep& s
   return step.number - 1 + (step.column - 1) * shape[0];
 }
 
-/// The element of an array of structures or of a cell array that a step names, counted from 0.
+/// Returns the element of a structure or cell array that a step names, counted from 0.
 std::size_t element_of(const Where& where, const Node& node, const PathStep& step) {
   if (node.kind() == Kind::numbers && step.number > 0) {
     refuse(where,

@@ -24,21 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Describes the array, as the header does: {'descr': '<f8', 'fortran_order': False, 'shape': (3,
-/// 24000), }
+/// Header of the array: {'descr': '<f8', 'fortran_order': False, 'shape': (3, 24000), }
 struct Header {
   char byte_order = '<';
   std::string type;  ///< "f8"
   bool is_fortran = false;
   Shape shape;
-  std::size_t size = 0;  ///< of all before the values
+  std::size_t size = 0;  ///< bytes before the values
 };
 
 [[noreturn]] void refuse_header(const fs::path& file) {
   refuse_file(file, "truncated, damaged or not a file of NumPy: its header cannot be read");
 }
 
-/// Finds the text behind a key, up to the sign that ends it.
+/// Returns the text after a key, up to one of `ends`.
 std::string_view value_of(std::string_view header, std::string_view key, std::string_view ends) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};
@@ -65,7 +64,7 @@ std::optional<Shape> parse_shape(std::string_view text) {
 }
 
 Header header_of(const fs::path& file, std::string_view bytes) {
-  constexpr std::size_t before = 10;  // the mark, the version, the length of the header
+  constexpr std::size_t before = 10;  // mark, version, length of the header
   if (bytes.size() < before + 2) refuse_header(file);
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const bool is_first_version = byte(6) == 1;
@@ -93,7 +92,7 @@ Header header_of(const fs::path& file, std::string_view bytes) {
           .size = begin + length};
 }
 
-/// IEEE 754, binary16.
+/// Reads an IEEE 754 binary16 number.
 double half_at(std::span<const std::byte> bytes, std::size_t at, bool big_endian) {
   const auto bits = number_at<std::uint16_t>(bytes, at, big_endian);
   const int exponent = bits >> 10U & 0x1F;
@@ -125,7 +124,7 @@ constexpr std::array types{Type{"f8", 8, double_at<double>},
                            Type{"i8", 8, double_at<std::int64_t>},
                            Type{"u8", 8, double_at<std::uint64_t>}};
 
-/// Names a type that is not read.
+/// Names an unsupported type for the error.
 const char* words_for(std::string_view type) {
   switch (type.front()) {
     case 'c':

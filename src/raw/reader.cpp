@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int cannot_be_run = 127;
 
-/// Both ends of a pipe, each until it is closed.
+/// Both ends of a pipe; closes them.
 class Pipe {
  public:
   Pipe() {
@@ -58,19 +58,20 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// Has the program that follows find an open file under this number; false where that fails. One
-/// that has the number already, as this process was started with it closed, is kept open.
+/// Gives an open file this number in the program to be started; returns false on failure. Keeps a
+/// file open that already has the number, because this process may have started with the number
+/// closed.
 bool is_put(int file, int number) {
   return file == number ? ::fcntl(file, F_SETFD, 0) == 0 : ::dup2(file, number) >= 0;
 }
 
-/// One output of the program.
+/// One output of read_raw.
 class Output {
  public:
   Pipe pipe;
   bool ended = false;
 
-  /// Returns what came, up to a number of bytes, until the next call.
+  /// Returns the next bytes, at most a buffer; they are valid until the next call.
   std::span<const std::byte> take() {
     const ssize_t got = ::read(pipe.to_read(), buffer_.data(), buffer_.size());
     if (got < 0 && errno == EINTR) return {};
@@ -82,7 +83,7 @@ class Output {
   std::array<std::byte, 1 << 16> buffer_{};
 };
 
-/// Takes apart what read_raw writes of several files: of each a Piece, and then its samples.
+/// Splits the output of read_raw: for each file a Piece, then its samples.
 class Incoming {
  public:
   Incoming(std::size_t files, std::uint64_t most_samples)
@@ -101,7 +102,7 @@ class Incoming {
       left_ -= some.size();
     }
   }
-  /// The files that have come as a whole.
+  /// Returns the number of complete files.
   [[nodiscard]] std::size_t whole() const { return all_.pieces.size() - (left_ > 0 ? 1 : 0); }
   [[nodiscard]] Signals take_all() { return std::move(all_); }
 
@@ -123,8 +124,8 @@ class Incoming {
     all_.samples.resize(before + piece.samples);
     left_ = piece.samples * sizeof(double);
   }
-  /// Reserves for all files what those so far had on average. Growing as vectors do would take
-  /// twice the memory of the samples for a moment.
+  /// Reserves memory for all files from the mean of the files so far. Without this, growth would
+  /// briefly take twice the memory of the samples.
   void make_room(std::size_t samples) {
     if (samples <= all_.samples.capacity()) return;
     const double each = static_cast<double>(samples) / static_cast<double>(all_.pieces.size());
@@ -136,12 +137,12 @@ class Incoming {
   std::size_t files_;
   std::uint64_t most_samples_;
   Signals all_;
-  std::string head_;      ///< of the next piece, as far as it came
-  std::size_t left_ = 0;  ///< bytes of the last piece that have not come
+  std::string head_;      ///< received part of the next Piece
+  std::size_t left_ = 0;  ///< missing bytes of the last piece
   bool is_broken_ = false;
 };
 
-/// A file in memory that holds names, each ended by a zero byte, to be read from its beginning.
+/// A file in memory with names, each ended by a zero byte, positioned at its start.
 class Names {
  public:
   explicit Names(const std::vector<fs::path>& names)
@@ -166,7 +167,7 @@ class Names {
   int descriptor_;
 };
 
-/// One run of read_raw. It is killed where nobody waits for it to the end.
+/// One run of read_raw. The destructor kills it if it still runs.
 class Reader {
  public:
   Reader(const std::vector<fs::path>& files, const std::string& variable,
@@ -207,7 +208,7 @@ class Reader {
   }
 
  private:
-  /// Returns the file that was being read when the program ended.
+  /// Returns the file that read_raw was reading when it ended.
   [[nodiscard]] const fs::path& current_file() const {
     return files_[std::min(incoming_.whole(), files_.size() - 1)];
   }
@@ -220,7 +221,7 @@ class Reader {
     ::_exit(cannot_be_run);
   }
 
-  /// Until it has closed both outputs; false where its time is over before.
+  /// Reads both outputs until they are closed; returns false on timeout.
   bool listen() {
     const auto end = Clock::now() + std::chrono::seconds(limits_.wall_seconds);
     while (!out_.ended || !err_.ended) {
@@ -263,7 +264,8 @@ class Reader {
     }
     refuse("its reader crashed (signal " + std::to_string(signal) + ")");
   }
-  /// With the line that it has written, without its name in front. Libraries write there, too.
+  /// Refuses the file with read_raw's own error line, without the program name. Finds the line
+  /// among lines of libraries.
   [[noreturn]] void refuse_as_it_does(int status) const {
     if (status == cannot_be_run) {
       throw Error(
@@ -289,7 +291,7 @@ class Reader {
   Output out_;
   Output err_;
   Incoming incoming_;
-  std::string error_;  ///< what it wrote to its standard error
+  std::string error_;  ///< standard error of read_raw
   pid_t pid_ = -1;
 };
 

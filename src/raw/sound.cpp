@@ -28,10 +28,10 @@ struct CloseSound {
   void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-/// A format of chunks, each with its name and size before its content.
+/// A format made of chunks, each with its name and size before its content.
 struct ChunkFormat {
-  std::string_view mark;  ///< at the beginning of the file
-  std::size_t first;      ///< where the first chunk begins
+  std::string_view mark;  ///< first bytes of the file
+  std::size_t first;      ///< start of the first chunk
   std::size_t head;       ///< bytes of name and size
   std::size_t alignment;
   bool is_big_endian = false;
@@ -42,7 +42,7 @@ constexpr std::array chunk_formats{ChunkFormat{"RIFF", 12, 8, 2}, ChunkFormat{"R
 
 constexpr std::uint64_t not_said = 0xFFFFFFFF;
 
-/// Bytes of the content of a chunk. In W64 the size counts its head, too.
+/// Returns the bytes of a chunk's content. In W64 the size includes the chunk's head.
 std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
                             const ChunkFormat& format) {
   constexpr std::size_t short_head = 8;
@@ -51,22 +51,22 @@ std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
   return size - std::min<std::uint64_t>(size, format.head);
 }
 
-/// True if the file has the size that its beginning says. Some recorders never write that.
+/// True if the file has its declared size. Some recorders never write the size.
 bool has_said_size(std::span<const std::byte> file, const ChunkFormat& format) {
-  constexpr std::size_t before = 8;  // which are not counted
+  constexpr std::size_t before = 8;  // not part of the declared size
   if (format.head != before) return number_at<std::uint64_t>(file, 16, false) == file.size();
   return number_at(file, 4, format.is_big_endian) + before == file.size();
 }
 
-/// A sound's own description of its samples. WAV and W64 say the size of a frame twice, AIFF the
-/// number of frames, so that a description that is damaged contradicts itself.
+/// Declared layout of a sound's samples. WAV and W64 declare the frame size twice, AIFF the number
+/// of frames, so damage shows as a contradiction.
 struct Frames {
-  std::uint64_t bytes = 0;  ///< of all frames; 0 where it is not said
-  std::uint64_t frame = 1;  ///< bytes of one
+  std::uint64_t bytes = 0;  ///< all frames; 0 if not declared
+  std::uint64_t frame = 1;  ///< bytes of one frame
   bool is_consistent = true;
 };
 
-/// Reads the chunk `fmt` of WAV and W64 (WAVEFORMATEX), of plain integers and floats.
+/// Reads the chunk `fmt` of WAV and W64 (WAVEFORMATEX) for plain integers and floats.
 Frames wav_frames(std::span<const std::byte> content) {
   constexpr std::array<std::uint16_t, 3> plain{1, 3, 0xFFFE};
   if (content.size() < 16) return {.is_consistent = false};
@@ -89,20 +89,20 @@ Frames aiff_frames(std::span<const std::byte> content) {
   return {.bytes = count * channels * ((bits + 7) / 8)};
 }
 
-/// True if so many bytes of samples are whole frames, and all of them.
+/// True if `bytes` of samples are whole frames, and all of them.
 bool holds(const Frames& said, std::uint64_t bytes) {
   return said.is_consistent && bytes % said.frame == 0 && (said.bytes == 0 || said.bytes == bytes);
 }
 
-/// Refuses a file of chunks whose samples are fewer or more than it says: libsndfile would take
-/// those that are there, or as many as the chunk says.
+/// Refuses a file of chunks with fewer or more samples than declared. libsndfile would read the
+/// available ones, or as many as the chunk declares.
 void require_whole(const fs::path& file) {
   const Bytes content = artefact::read_file(file, largest_bytes);
   const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
   const auto* const format = std::ranges::find_if(
       chunk_formats, [&](const ChunkFormat& one) { return bytes.starts_with(one.mark); });
   if (format == chunk_formats.end()) return;
-  std::uint64_t long_size = not_said;  // of the samples, in RF64
+  std::uint64_t long_size = not_said;  // size of the samples in RF64
   bool has_passed_samples = false;
   Frames said;
   std::size_t at = format->first;

@@ -7,10 +7,10 @@
 
 namespace piae::raw {
 
-/// Reads a channel, counted from 1, of a WAV, RF64, W64, AIFF or FLAC file, by libsndfile. The full
-/// scale of whole numbers is 1; floats are as they stand. Throws Error(bad_input) where the file is
-/// shorter than it says, or a checksum of FLAC does not match, that of a frame or of all samples
-/// (flac_sum.hpp).
+/// Reads a channel, counted from 1, of a WAV, RF64, W64, AIFF or FLAC file with libsndfile.
+/// Integers are scaled to a full scale of 1; floats are unchanged. Throws Error(bad_input) if the
+/// file is shorter than declared, or if a FLAC checksum of a frame or of all samples (flac_sum.hpp)
+/// does not match.
 Signal read_sound(const std::filesystem::path& file, const std::string& channel);
 
 }  // namespace piae::raw

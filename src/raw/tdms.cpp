@@ -54,7 +54,7 @@ void append(const Where& where, std::span<const std::byte> bytes, const TdmsSegm
   }
 }
 
-/// The properties of an object and of the group and the file that it belongs to.
+/// Returns the properties of a channel, its group and its file; the channel's own take precedence.
 TdmsProperties inherited(const std::vector<TdmsObject>& objects, const TdmsObject& channel) {
   TdmsProperties properties = channel.properties;
   for (const TdmsObject& object : objects) {

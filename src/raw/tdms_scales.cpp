@@ -9,10 +9,10 @@ namespace piae::raw {
 
 namespace {
 
-/// Coefficients of a polynomial, the constant first.
+/// Coefficients of a polynomial, constant first.
 using Polynomial = std::vector<double>;
 
-constexpr double raw_values = 0xFFFFFFFF;  ///< as the source of a scale
+constexpr double raw_values = 0xFFFFFFFF;  ///< source of a scale that takes raw values
 
 double value_at(const Polynomial& polynomial, double x) {
   double value = 0;
@@ -28,8 +28,8 @@ class Scales {
   TdmsScales run() {
     const double count = number("NI_Number_Of_Scales").value_or(count_by_names());
     if (!(count > 0) || text("NI_Scaling_Status") == "scaled") return {};
-    std::vector<Polynomial> chain;  // the last scale first
-    double below = count;           // each takes what one before it gives
+    std::vector<Polynomial> chain;  // last scale first
+    double below = count;           // a scale's source is an earlier scale
     for (double scale = count - 1; scale != raw_values;) {
       if (!(scale >= 0 && scale < below)) refuse(where_, "is damaged: its scales refer to none");
       below = scale;
@@ -51,7 +51,7 @@ class Scales {
     return count;
   }
 
-  /// Adds a scale and moves on to the one that it takes its values from.
+  /// Adds a scale and sets `scale` to its source.
   void add(std::vector<Polynomial>& chain, double& scale) {
     const std::string name = prefix(scale);
     const std::string type = text(name + "Scale_Type");

@@ -7,12 +7,13 @@
 
 namespace piae::raw {
 
-/// Converts a raw value by NI's scales.
+/// Converts a raw value with NI's scales.
 using TdmsScales = std::function<double(double)>;
 
-/// The scales of a channel, which its properties NI_Scale[n]_... describe: each takes the raw value
-/// or what one before it gives; the last one gives the result. Null where there are none, or the
-/// values are scaled already. Throws Error(bad_input) for a scale other than linear and polynomial.
+/// Returns the scales of a channel from its properties NI_Scale[n]_.... Each scale takes the raw
+/// value or the output of an earlier scale; the last one gives the result. Returns null if there
+/// are none, or if the values are already scaled. Throws Error(bad_input) for a scale that is
+/// neither linear nor polynomial.
 TdmsScales tdms_scales(const Where& where, const TdmsProperties& properties);
 
 }  // namespace piae::raw

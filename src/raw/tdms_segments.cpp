@@ -25,20 +25,20 @@ constexpr std::uint32_t toc_interleaved = 1U << 5U;
 constexpr std::uint32_t toc_big_endian = 1U << 6U;
 constexpr std::uint32_t toc_daqmx_data = 1U << 7U;
 
-// Marks that stand in place of the length of an object's index.
+// Special values of the length of an object's index.
 constexpr std::uint32_t no_values = 0xFFFFFFFF;
 constexpr std::uint32_t same_as_before = 0;
 
 constexpr std::uint64_t never_finished = 0xFFFFFFFFFFFFFFFF;
 constexpr std::size_t lead_in_bytes = 28;
 
-/// The first bytes of a segment.
+/// First bytes of a segment.
 struct LeadIn {
   std::uint32_t contents = 0;
-  std::size_t data = 0;  ///< where the raw data begin in the file
+  std::size_t data = 0;  ///< start of the raw data in the file
   std::size_t end = 0;
   bool is_finished = true;
-  bool has_whole_metadata = true;  ///< false where the writer crashed while it wrote them
+  bool has_whole_metadata = true;  ///< false if the writer crashed within the metadata
 
   [[nodiscard]] bool has(std::uint32_t bit) const { return (contents & bit) != 0; }
 };
@@ -54,7 +54,7 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
              : a + b;
 }
 
-/// Takes "'group'" off a path, whose quotes are doubled within a name.
+/// Takes "'group'" off a path. Quotes within a name are doubled.
 std::optional<std::string> take_name(std::string_view& path) {
   if (!path.starts_with("/'")) return std::nullopt;
   std::string name;
@@ -71,7 +71,7 @@ std::optional<std::string> take_name(std::string_view& path) {
   return std::nullopt;
 }
 
-/// Takes numbers and texts off the metadata of a segment.
+/// Reads numbers and texts from the metadata of a segment.
 class Metadata {
  public:
   Metadata(const fs::path& file, std::span<const std::byte> bytes, std::size_t begin,
@@ -138,7 +138,7 @@ class Walk {
   }
 
  private:
-  /// An object in the list of those whose values a segment holds.
+  /// An object in the list of a segment's objects.
   struct Listed {
     TdmsValues values;
     bool has_values = false;
@@ -231,7 +231,7 @@ class Walk {
   [[nodiscard]] TdmsValues values_of(std::size_t object, std::uint32_t index_bytes,
                                      Metadata& metadata) const {
     constexpr std::uint32_t without_size = 20;
-    constexpr std::uint32_t with_size = 28;  // as that of text, whose values have any length
+    constexpr std::uint32_t with_size = 28;  // for text, whose values have any length
     for (const std::uint32_t daqmx : {0x1269U, 0x126AU, 0x1369U}) {
       if (index_bytes == daqmx) refuse_daqmx();
     }
@@ -262,7 +262,7 @@ class Walk {
     for (const Listed& listed : list_) {
       if (listed.has_values && listed.values.count > 0) values_.push_back(listed.values);
     }
-    // The numbers of a single object are rows, too, so that a crash costs none of them.
+    // The numbers of a single object are rows, too, so that a crash loses none of them.
     const bool is_single = values_.size() == 1 && tdms_type(values_.front().type)->size > 0;
     segment.has_rows = is_single || lead_in.has(toc_interleaved);
     const std::uint64_t chunk_bytes = segment.has_rows ? bytes_of_row(begin) : bytes_of_chunk();
@@ -284,7 +284,7 @@ class Walk {
     return bytes;
   }
 
-  /// Bytes of one value of each object.
+  /// Returns the bytes of one value of each object.
   [[nodiscard]] std::uint64_t bytes_of_row(std::size_t begin) const {
     std::uint64_t bytes = 0;
     for (const TdmsValues& values : values_) {
@@ -301,10 +301,10 @@ class Walk {
   std::span<const std::byte> bytes_;
   std::vector<TdmsObject> objects_;
   std::map<std::string, std::size_t> object_by_path_;
-  std::vector<std::optional<TdmsValues>> last_values_;  ///< latest index of each object
+  std::vector<std::optional<TdmsValues>> last_values_;
   std::vector<Listed> list_;
-  std::map<std::size_t, std::size_t> place_in_list_;  ///< by object
-  std::vector<TdmsValues> values_;                    ///< layout of the segment that is visited
+  std::map<std::size_t, std::size_t> place_in_list_;  ///< place in list_ of each object
+  std::vector<TdmsValues> values_;                    ///< layout of the current segment
 };
 
 }  // namespace

@@ -10,27 +10,27 @@
 #include <variant>
 #include <vector>
 
-/// Segments of a TDMS file, as NI describes them ("TDMS File Format Internal Structure"): each has
-/// metadata, which say which objects there are and how their values stand in the segment's raw
-/// data, and the raw data: chunks of the same layout, one after another.
+/// Segments of a TDMS file (NI: "TDMS File Format Internal Structure"). Each has metadata and raw
+/// data. The metadata list the objects and the layout of their values. The raw data are chunks of
+/// the same layout.
 namespace piae::raw {
 
-/// A property of an object; nothing where it is neither text nor a number.
+/// A property of an object; empty if it is neither text nor a number.
 using TdmsProperty = std::variant<std::monostate, std::string, double>;
 using TdmsProperties = std::map<std::string, TdmsProperty>;
 
 struct TdmsObject {
-  std::vector<std::string> path;  ///< nothing for the file; group; group and channel
+  std::vector<std::string> path;  ///< empty for the file; group; group and channel
   TdmsProperties properties;
   [[nodiscard]] bool is_channel() const { return path.size() == 2; }
 };
 
-/// Values of one object within each chunk.
+/// Values of one object in each chunk.
 struct TdmsValues {
-  std::size_t object = 0;   ///< its index among the objects
-  std::uint32_t type = 0;   ///< NI's number
+  std::size_t object = 0;   ///< index of the object
+  std::uint32_t type = 0;   ///< NI's type number
   std::uint64_t count = 0;  ///< number of values
-  std::uint64_t bytes = 0;  ///< size of all of them
+  std::uint64_t bytes = 0;  ///< size of all values
 };
 
 struct TdmsSegment {
@@ -39,14 +39,14 @@ struct TdmsSegment {
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
   bool is_big_endian = false;
-  /// True where a chunk is a row: one value of each object.
+  /// True if a chunk is a row: one value of each object.
   bool has_rows = false;
 };
 
-/// Goes through a file and shows each segment to `visit`. Returns the objects in the order of their
-/// first mention. A last segment that says that its writer never finished it (LabVIEW crashed) ends
-/// with its last whole chunk. Throws Error(bad_input) for a file that is shorter than it says or
-/// damaged, and for raw data of NI-DAQmx, whose layout is another.
+/// Walks through a file and passes each segment to `visit`. Returns the objects in the order of
+/// their first mention. If the writer never finished the last segment (LabVIEW crashed), uses its
+/// whole chunks. Throws Error(bad_input) if the file is damaged or shorter than declared, and for
+/// raw data of NI-DAQmx, which have another layout.
 std::vector<TdmsObject> walk_tdms(const std::filesystem::path& file,
                                   std::span<const std::byte> bytes,
                                   const std::function<void(const TdmsSegment&)>& visit);

@@ -9,15 +9,15 @@ namespace piae::raw {
 /// A type of values in a TDMS file (NI's enumeration tdsDataType).
 struct TdmsType {
   std::uint32_t id;
-  std::size_t size;  ///< bytes of a value; 0 where it varies, as that of text
+  std::size_t size;  ///< bytes of a value; 0 if it varies, as for text
   const char* name;
-  /// Reads a value; null where the type does not hold real numbers.
+  /// Reads a value; null if the type does not hold real numbers.
   double (*read)(std::span<const std::byte> bytes, std::size_t at, bool big_endian);
 };
 
 inline constexpr std::uint32_t tdms_text = 0x20;
 
-/// Null for a type that is not known.
+/// Returns the type with this number; null if it is unknown.
 const TdmsType* tdms_type(std::uint32_t id);
 
 }  // namespace piae::raw

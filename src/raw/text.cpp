@@ -37,8 +37,7 @@ void append_utf8(std::string& text, std::uint32_t c) {
   byte(0x80 | (c & 0x3F));
 }
 
-/// A half of a pair without the other one, which no text has, becomes the sign for what cannot be
-/// read.
+/// Converts UTF-16 to UTF-8. Half a surrogate pair becomes U+FFFD, because text never has one.
 std::string from_utf16(std::string_view bytes, bool low_byte_first) {
   const auto unit = [&](std::size_t i) -> std::uint32_t {
     const auto a = static_cast<std::uint8_t>(bytes[i]);
@@ -62,7 +61,7 @@ std::string from_utf16(std::string_view bytes, bool low_byte_first) {
   return text;
 }
 
-/// Drops what editors and loggers of before leave at the end: nulls, Ctrl-Z, lines of blanks.
+/// Drops the ends that old editors and loggers write: nulls, Ctrl-Z, blank lines.
 void drop_empty_end(std::string& text) {
   const std::string what("\0\x1a", 2);
   while (!text.empty()) {
@@ -78,12 +77,12 @@ void drop_empty_end(std::string& text) {
   }
 }
 
-/// Line ends of the old Macintosh, which are returns alone.
+/// Converts line ends of the old Macintosh, which are CR alone.
 void mend_line_ends(std::string& text) {
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
 }
 
-/// True of text whose every other byte is 0, as those of numbers and Latin letters in UTF-16 are.
+/// True if every other byte is 0, as for numbers and Latin letters in UTF-16.
 bool is_utf16(std::string_view text) {
   std::array<std::size_t, 2> zeros{};
   std::size_t letters = 0;

@@ -5,10 +5,10 @@
 
 namespace piae::raw {
 
-/// The text of a raw file in UTF-8, without a byte order mark. With one, UTF-16 of either byte
-/// order is read, too, as instruments and spreadsheets on Windows write it. Throws Error(bad_input)
-/// for UTF-16 without a mark, and where the file is larger than any that is read;
-/// Error(input_missing) where there is none.
+/// Returns the text of a raw file in UTF-8 without a byte order mark. Also reads UTF-16 with a
+/// mark, in either byte order, which instruments and spreadsheets on Windows write. Throws
+/// Error(bad_input) for UTF-16 without a mark, for binary files and for files above largest_bytes;
+/// Error(input_missing) if the file is missing.
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace piae::raw

@@ -16,11 +16,11 @@ namespace piae::raw {
 namespace {
 
 constexpr double regular_share = 0.9;
-constexpr double regular_within = 0.25;  // of the median step, on either side
+constexpr double regular_within = 0.25;  // share of the median step, on either side
 constexpr double steps_of_a_gap = 1.5;
 constexpr std::size_t fewest_times = 20;
-constexpr std::size_t most_steps_back = 10;  // in a column that no name says to be times
-constexpr double fewest_coarse_steps = 200;  // so that rounding moves their mean by 0.5 % at most
+constexpr std::size_t most_steps_back = 10;  // for a column without the name of times
+constexpr double fewest_coarse_steps = 200;  // rounding then moves their mean by 0.5 % at most
 
 struct Unit {
   std::string_view name;
@@ -50,7 +50,7 @@ double unit_called(std::string_view name) {
   return unit == units.end() ? 0 : unit->s;
 }
 
-/// True of "time", "time 1", "time_s", but not of "timer".
+/// True for "time", "time 1", "time_s", but not for "timer".
 bool begins_as_time(std::string_view name) {
   constexpr std::array words{"time",    "zeit",    "temps", "tiempo", "tempo",  "timestamp",
                              "elapsed", "seconds", "sec",   "millis", "micros", "t"};
@@ -61,7 +61,7 @@ bool begins_as_time(std::string_view name) {
   });
 }
 
-/// The unit in brackets at the end of a name.
+/// Returns the unit in brackets at the end of a name.
 std::string_view unit_in_brackets(std::string_view name) {
   for (const std::string_view pair : {"()", "[]", "<>"}) {
     const std::size_t open = name.rfind(pair[0]);
@@ -77,8 +77,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// The mean of the usual steps; the median alone is rounded as the times are printed. 0 where the
-/// steps are not even.
+/// Returns the mean of the usual steps, because the median alone has the rounding of the printed
+/// times. Returns 0 if the steps are uneven.
 double usual_step(const std::vector<double>& steps) {
   const double median = median_of(steps);
   if (!(median > 0)) return 0;
@@ -104,10 +104,10 @@ void look_for_gaps(const std::vector<double>& steps, Times& times) {
   }
 }
 
-/// True if steps take many values, as no rounding of even ones gives.
+/// True if the steps have more values than rounding of even steps can give.
 bool are_scattered(const std::vector<double>& steps, double mean) {
   constexpr std::size_t many = 20;
-  constexpr double parts = 50;  // of the mean step
+  constexpr double parts = 50;  // parts per mean step
   std::set<std::int64_t> values;
   for (const double step : steps) {
     const double part = step / mean * parts;
@@ -181,11 +181,11 @@ std::optional<TimesRate> contradicting_rate(const Times& times, double sample_ra
   TimesRate nearest;
   for (const double unit_s : likely_units_s) {
     if (times.unit_s > 0 && unit_s != times.unit_s) continue;
-    // Dropped samples change the mean, and rounding the usual step.
+    // Dropped samples change the mean step; rounding changes the usual step.
     if (agree(times.step, unit_s, sample_rate_hz) || agree(times.mean_step, unit_s, sample_rate_hz))
       return std::nullopt;
     constexpr double longest_s = 1;
-    if (unit_s > longest_s) continue;  // days are taken where they agree alone
+    if (unit_s > longest_s) continue;  // days count only if they agree
     const double hz = 1 / (step * unit_s);
     const auto distance = [&](double rate_hz) {
       return std::abs(std::log(rate_hz / sample_rate_hz));

@@ -8,39 +8,38 @@
 
 namespace piae::raw {
 
-/// What the name of a column, or the unit below it, says of times.
+/// Information on times from a column's name or the unit below it.
 struct TimeName {
   bool is_time = false;
-  double unit_s = 0;  ///< 0 where none is said
+  double unit_s = 0;  ///< 0 if there is none
 };
 
 /// Reads names such as "Time (s)", "t[ms]", "Zeit/s", "elapsed_us", and units such as "(s)".
 TimeName time_name(std::string_view name);
 
-/// Looks at the numbers of a column that holds times, or, where its name does not say so, may hold
-/// them; `times.column`, `unit_s` and `is_named` are known. Finds
-///   - the usual step: that of nine tenths of the lines, within a quarter of the median. Where the
-///     times are uneven, or printed too coarsely for one, a column that is named so has its mean
-///     step alone,
+/// Analyses the numbers of a column that holds times, or may hold times if its name does not say
+/// so. The caller sets `times.column`, `unit_s` and `is_named`. Finds
+///   - the usual step: the step of nine tenths of the lines, within a quarter of the median. If a
+///     named column is uneven, or printed too coarsely for a usual step, finds the mean step only,
 ///   - gaps: steps of more than 1.5 times the usual one,
-///   - steps back. A column that is not named so may have ten; a wheel's angle has more.
-/// Returns Times{} for numbers that do not rise as times do.
+///   - steps back. An unnamed column may have ten; a wheel's angle has more.
+/// Returns Times{} for numbers that do not rise like times.
 Times times_in(std::span<const double> numbers, Times times);
 
-/// A sample rate by a column of times.
+/// A sample rate from a column of times.
 struct TimesRate {
   double hz = 0;
-  double unit_s = 0;  ///< of the times: said by the file, or the likeliest one
+  double unit_s = 0;  ///< declared or likeliest unit of the times
 };
 
-/// "s", "ms", "us" or "ns".
+/// Returns "s", "ms", "us" or "ns".
 std::string_view unit_name(double unit_s);
 
-/// The rate by a column of times, where that is not within 1 % of the one given. Nothing where the
-/// times do not tell, as a column of whole numbers may count samples.
+/// Returns the rate from a column of times if it is not within 1 % of the given one. Returns
+/// nothing if the times are ambiguous: a column of integers may count samples.
 std::optional<TimesRate> contradicting_rate(const Times& times, double sample_rate_hz);
 
-/// True if the gaps come from rounding: many, and at this rate no sample is missing.
+/// True if the gaps come from rounding: there are many, and at this rate no sample is missing.
 bool are_rounded(const Times& times, double sample_rate_hz);
 
 }  // namespace piae::raw

@@ -82,15 +82,15 @@ std::vector<double> binary_values(const Where& where, const UffFunction& functio
   return values;
 }
 
-/// A number as Fortran writes it, perhaps with a D before its exponent.
+/// Reads a number in Fortran format, possibly with a D before its exponent.
 std::optional<double> fortran_number(std::string_view field) {
   std::string text(field.starts_with('+') ? field.substr(1) : field);
   for (char& c : text) c = c == 'D' || c == 'd' ? 'E' : c;
   return number_in<double>(text);
 }
 
-/// The numbers of a line, apart from each other by blanks, or in fields of a fixed width: a number
-/// that fills its field has no blank before it. Nothing where one cannot be read.
+/// Reads the numbers of a line, separated by blanks, or in fields of fixed width, because a number
+/// that fills its field has no blank before it. Returns nothing if a number is not readable.
 std::optional<std::vector<double>> numbers_in_line(std::string_view line, std::size_t width) {
   std::vector<double> numbers;
   while (!line.empty()) {
@@ -156,7 +156,7 @@ bool is_uff(std::string_view beginning) {
   const std::string_view line = take_line(beginning);
   const auto type = number_in<int>(trimmed(line.substr(0, 6), blanks));
   const bool ends = line.size() <= 6 || line[6] == ' ' || line[6] == 'b';
-  // Columns of whole numbers may begin alike; these are the types that files begin with.
+  // Columns of integers may start alike, so accept only the types that files start with.
   constexpr std::array types{15, 18, 55, 56, 57, 58, 82, 151, 164, 1858};
   return type && ends && line.size() >= 6 &&
          (std::ranges::count(types, *type) > 0 || (*type >= 2400 && *type < 2500));

@@ -18,7 +18,7 @@ bool is_mark(std::string_view line) {
   return line.starts_with("    -1") && trimmed(line.substr(6), blanks).empty();
 }
 
-/// Returns some columns of a line, without the blanks around.
+/// Returns `width` columns of a line without surrounding blanks.
 std::string_view columns(std::string_view line, std::size_t begin, std::size_t width) {
   return trimmed(line.substr(std::min(begin, line.size())).substr(0, width), blanks);
 }
@@ -58,7 +58,7 @@ class UffScan {
     return take_line(rest_);
   }
 
-  /// Takes the lines up to the mark of a data set's end, and the mark.
+  /// Returns the lines before the end mark of a data set; takes the mark, too.
   std::string_view until_mark() {
     const std::string_view begin = rest_;
     for (;;) {
@@ -75,7 +75,7 @@ class UffScan {
     return *value;
   }
 
-  /// Reads the eleven lines of a header, and what follows.
+  /// Reads the eleven lines of a header and the values.
   UffFunction function(std::string_view type) {
     constexpr std::size_t lines = 11;
     std::array<std::string_view, lines> header;

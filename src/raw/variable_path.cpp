@@ -8,7 +8,8 @@ namespace piae::raw {
 
 namespace {
 
-/// Takes what stands in brackets from the end of a text; empty where it does not end so.
+/// Takes the text in brackets from the end of a text; returns nothing if it does not end in
+/// brackets.
 std::optional<std::string> take_brackets(std::string& text, char open, char close) {
   const std::size_t begin = text.find(open);
   if (begin == std::string::npos || text.back() != close) return std::nullopt;
@@ -41,7 +42,7 @@ std::optional<PathStep> parse_step(std::string text) {
   return step;
 }
 
-/// The parts between points that stand in no brackets.
+/// Returns the parts between points outside brackets.
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts{""};
   bool in_brackets = false;

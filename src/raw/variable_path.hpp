@@ -13,16 +13,16 @@ struct MatrixLine {
   std::size_t number = 1;
 };
 
-/// A name, and where several are called so, which one of them.
+/// A name and, if it has several elements, one of them.
 struct PathStep {
   std::string name;
-  std::size_t number = 0;  ///< of the element, or of its row, counted from 1; 0 where none is named
-  std::size_t column = 0;  ///< of the element, counted from 1; 0 where one number names it
-  std::string key = {};    ///< of the element whose field `key` holds `value`
+  std::size_t number = 0;  ///< number or row of the element, counted from 1; 0 if none is named
+  std::size_t column = 0;  ///< column of the element, counted from 1; 0 if one number names it
+  std::string key = {};    ///< field whose text is `value` in the element
   std::string value = {};
 };
 
-/// A variable inside others, as descriptions write it:
+/// Path to a variable inside others, in the notation of data set descriptions:
 ///   bearing.gs                   a field of a structure
 ///   K.Y(2).Data, c{2}            of the second element of an array of structures; of a cell array
 ///   K.Y(1,2).Data, c{1,2}        the same by row and column
@@ -33,13 +33,13 @@ struct VariablePath {
   std::optional<MatrixLine> line = std::nullopt;
 };
 
-/// Empty where the text is none of these.
+/// Parses a path; returns nothing for other texts.
 std::optional<VariablePath> parse_variable(const std::string& text);
 
-/// Says how parts of a variable are written, where a name that is not found seems to mean one.
+/// Returns a hint on the notation of parts if a missing name looks like a part; otherwise "".
 std::string hint_at_parts(const std::string& name);
 
-/// Takes "(2,:)" or "(:,2)" from the end of a text; empty where neither stands there.
+/// Takes "(2,:)" or "(:,2)" from the end of a text; returns nothing for other endings.
 std::optional<MatrixLine> take_matrix_line(std::string& text);
 
 }  // namespace piae::raw
