@@ -16,9 +16,8 @@ struct Decision {
   std::size_t windows = 0;
   std::optional<Label> label;  ///< class with the highest mean probability; none without signal
   double probability = 0;      ///< mean probability of `label`
-  bool unknown =
-      false;  ///< true if more than half of the windows are silent or look like no trained class
-  double evidence = 0;  ///< share of the alarm's threshold
+  bool unknown = false;        ///< true if most windows are silent or like no known class
+  double evidence = 0;         ///< share of the alarm's threshold
   AlarmState alarm = AlarmState::off;
   /// Reason while the alarm is on: a class name or "unknown".
   std::string cause;

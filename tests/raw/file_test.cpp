@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// ---- CSV
-// -----------------------------------------------------------------------------------------
+// CSV
 
 TEST(Csv, ReadsAColumnByNumberOrName) {
   const Folder folder;
@@ -90,13 +89,13 @@ TEST(Csv, TakesWhatStandsBeforeTheNumbers) {
   // Comments, one of which names the columns.
   EXPECT_THAT(read("# made by a logger\n# t acc\n0 1.5\n1 2.5\n", "acc"), ElementsAre(1.5, 2.5));
   EXPECT_THAT(read("% made by acc\n0,1.5\n1,2.5\n", "2"), ElementsAre(1.5, 2.5));
-  // Words and single numbers of an instrument, a header, units.
+  // Text and single numbers of an instrument, a header, units.
   const std::string logger =
       "Logger X200\nRate;12000\n\nTime;Acc\ns;m/s2\n0;1,5\n0,1;2\n0,2;-2,25\n";
   EXPECT_THAT(read(logger, "Acc"), ElementsAre(1.5, 2, -2.25));
   EXPECT_THAT(read(logger, "2"), ElementsAre(1.5, 2, -2.25));
   EXPECT_THAT(read("Channel,acc\nt,acc\n0,7\n1,8\n", "acc"), ElementsAre(7, 8));
-  // The number of a line that says which line is damaged counts all of these.
+  // The line number in an error counts all of these lines.
   EXPECT_ERROR(read(logger + "1;x\n", "Acc"), Exit::bad_input, "line 9: column Acc holds 'x'");
   EXPECT_ERROR(read(logger, "Force"), Exit::bad_input, "has no column Force; it has ");
   EXPECT_ERROR(read("0.5,1\n...\n1,2\n", "2"), Exit::bad_input, "line 2: has 1 fields");
@@ -114,11 +113,11 @@ TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
   EXPECT_THAT(read("1, 2\n3, 4\n", "2"), ElementsAre(2, 4));
   EXPECT_ERROR(read("1;1.234,5\n", "2"), Exit::bad_input, "holds '1.234,5', ");
   EXPECT_ERROR(read("1;1,234\n2;5.5\n", "2"), Exit::bad_input, "the other decimal sign");
-  // Half numbers are no samples.
+  // Numbers split at a decimal comma are not samples.
   EXPECT_ERROR(read("1,25\n1,05\n", "2"), Exit::bad_input,
                "line 2: column 2 holds '05': numbers with a decimal comma, it seems");
   EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "decimal comma, it seems");
-  // Where another field has a decimal point, commas separate, and a -0 is a number.
+  // If another field has a decimal point, commas separate the fields, and -0 is a number.
   EXPECT_EQ(read("-0,0.5\n1,0.25\n", "1"), (std::vector<double>{0, 1}));
 }
 
@@ -143,7 +142,7 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
   const fs::path big = folder.write("b.csv", "\xFE\xFF" + utf16(text, false));
   EXPECT_THAT(read_csv(little, "a"), ElementsAre(1.5, 2));
   EXPECT_THAT(read_csv(big, "a"), ElementsAre(1.5, 2));
-  // m/s² as it stands in UTF-16, and in UTF-8.
+  // m/s² in UTF-16 and in UTF-8.
   const std::string squared = "\xFF\xFE" + utf16("m/s", true) + "\xB2" +
                               utf16("\n", true).insert(0, 1, '\0') + utf16("1\n", true);
   EXPECT_THAT(read_csv(folder.write("c.csv", squared), "m/s²"), ElementsAre(1));
@@ -151,7 +150,7 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
                "seems to be UTF-16 without a byte order mark; save it as UTF-8");
 }
 
-// Lines and fields that are kept one by one take many times the bytes of the file.
+// Storing lines or fields one by one would take many times the file's size.
 TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
   const Folder folder;
   const std::string lines = "1\n" + std::string(30'000'000, '\n') + "2\n";
@@ -162,8 +161,7 @@ TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
                "line 1: has more than 10000 columns");
 }
 
-// ---- MATLAB
-// --------------------------------------------------------------------------------------
+// MATLAB
 
 struct MatVariable {
   const char* name;
@@ -258,8 +256,7 @@ TEST(MatFile, ThatIsNoMatFileIsRefused) {
                "not a MATLAB file");
 }
 
-// ---- HDF5
-// ----------------------------------------------------------------------------------------
+// HDF5
 
 void write_dataset(hid_t file, const char* name, hid_t type, const std::vector<hsize_t>& dims,
                    const void* data) {
@@ -292,7 +289,7 @@ TEST(Hdf5, ReadsFloatsAndIntegersOfAnyByteOrder) {
   EXPECT_THAT(read(file, "/raw/acc"), ElementsAre(0.5, 1, 2, 3));
   EXPECT_THAT(read(file, "raw/acc"), ElementsAre(0.5, 1, 2, 3));
   EXPECT_THAT(read(file, "column"), ElementsAre(0.5, 1, 2, 3));
-  // The bytes of -7 and 8 as this machine has them, read as big-endian numbers.
+  // The bytes of -7 and 8 in this machine's order, read as big-endian numbers.
   EXPECT_THAT(read(file, "counts"), ElementsAre(-100663297, 134217728));
 }
 

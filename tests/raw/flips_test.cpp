@@ -11,8 +11,8 @@
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
-/// One flipped bit where a checksum of the format covers it: the file is refused, or read to the
-/// same numbers.
+/// Flips one bit in bytes that a checksum of the format covers: the reader must refuse the file or
+/// return the same numbers.
 namespace piae::raw {
 namespace {
 
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t flipped_length = 3000;
 
-/// Noise in steps of 1/64, which deflate makes shorter and 16 bits can hold.
+/// Returns noise in steps of 1/64, which deflate shortens and 16 bits can hold.
 std::vector<double> flipped_signal() {
   std::vector<double> values(flipped_length);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -41,7 +41,7 @@ struct Filters {
   bool fletcher32 = false;
 };
 
-/// Writes the signal into x of an HDF5 file, in five chunks.
+/// Writes the signal as x of an HDF5 file, in five chunks.
 void write_filtered(const fs::path& path, const Filters& filters, bool is_matlab) {
   const hid_t creation_of_file = H5Pcreate(H5P_FILE_CREATE);
   if (is_matlab) H5Pset_userblock(creation_of_file, 512);
@@ -65,7 +65,7 @@ void write_filtered(const fs::path& path, const Filters& filters, bool is_matlab
   H5Pclose(creation_of_file);
 }
 
-/// Gives the places of the bytes of the chunks of x in the file.
+/// Returns where the chunks of x are in the file.
 std::vector<Range> chunks_of(const fs::path& path) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t set = H5Dopen2(file, "x", H5P_DEFAULT);
@@ -87,7 +87,7 @@ std::vector<Range> chunks_of(const fs::path& path) {
   return chunks;
 }
 
-/// A file with the signal, and where in it a checksum covers the bytes.
+/// A file with the signal, and the byte ranges that a checksum covers.
 struct Covered {
   std::string bytes;
   std::vector<Range> ranges;
@@ -98,7 +98,7 @@ Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
   const fs::path path = folder / "filtered";
   write_filtered(path, filters, is_matlab);
   Covered file{.bytes = bytes_of(path), .ranges = chunks_of(path), .variable = "x"};
-  if (is_matlab) {  // as MATLAB writes the block before HDF5's bytes
+  if (is_matlab) {  // MATLAB's block before the bytes of HDF5
     std::string header = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
     header.resize(124, ' ');
     file.bytes.replace(0, 128, header + std::string("\x00\x02IM", 4));
@@ -118,13 +118,13 @@ std::string mat5_bytes(const Folder& folder, matio_compression compression) {
   return bytes_of(path);
 }
 
-/// MATLAB v5, whose variables are zlib streams behind the file's header and their own.
+/// Returns a MATLAB v5 file, whose variables are zlib streams after two headers.
 Covered packed_mat(const Folder& folder) {
   const std::string bytes = mat5_bytes(folder, MAT_COMPRESSION_ZLIB);
   return {.bytes = bytes, .ranges = {{128 + 8, bytes.size()}}, .variable = "x"};
 }
 
-/// The signal as 16 bits in one channel.
+/// Returns a sound of the signal with 16 bits and one channel.
 std::string sound_bytes(const Folder& folder, int format) {
   const fs::path path = folder / "sound";
   SF_INFO info{};
@@ -139,8 +139,8 @@ std::string sound_bytes(const Folder& folder, int format) {
   return bytes_of(path);
 }
 
-/// FLAC: its frames have sums of their own, and all samples one in the header, STREAMINFO (RFC
-/// 9639).
+/// Returns a FLAC file: each frame has a checksum, and STREAMINFO in the header has one of all
+/// samples (RFC 9639).
 Covered flac(const Folder& folder) {
   const std::string bytes = sound_bytes(folder, SF_FORMAT_FLAC);
   constexpr std::size_t number_of_samples = 21;
@@ -151,7 +151,7 @@ Covered flac(const Folder& folder) {
           .variable = "1"};
 }
 
-/// The file with one bit flipped is refused, or read to the same numbers. True if it is refused.
+/// Flips one bit: the file must be refused, or read to the same numbers. True if it is refused.
 bool is_refused_or_same(const Folder& folder, const Covered& whole, std::size_t at, int bit,
                         decltype(&read_here) reader = read_here) {
   std::string bytes = whole.bytes;
@@ -166,7 +166,7 @@ bool is_refused_or_same(const Folder& folder, const Covered& whole, std::size_t 
   return true;
 }
 
-/// Flips one bit at each of some random places.
+/// Flips one bit at 100 random places in turn.
 void expect_no_other_numbers(const Folder& folder, const Covered& whole) {
   EXPECT_EQ(read_here(folder.write("whole", whole.bytes), whole.variable), flipped_signal());
   std::mt19937_64 random(20261127);
@@ -197,8 +197,8 @@ TEST(Flips, WhereAChecksumCoversThemGiveNoOtherNumbers) {
   }
 }
 
-/// Flips every bit in front of the samples, which no checksum covers: what is said there twice
-/// must agree. Bits that say nothing of the samples, such as of a name, may be flipped.
+/// Flips every bit before the samples, which no checksum covers: fields declared twice must agree.
+/// A bit without effect on the samples, as in a name, may be flipped.
 void expect_contradictions_are_seen(const Folder& folder, const Covered& whole,
                                     std::size_t at_least) {
   EXPECT_EQ(read_here(folder.write("whole", whole.bytes), whole.variable), flipped_signal());
@@ -231,15 +231,16 @@ TEST(Flips, InWhatSoundSaysOfItsFramesAreSeen) {
       folder, {.bytes = aiff, .ranges = {{said, said + 8}}, .variable = "1"}, 56);
 }
 
-/// Finds the keys of the index of chunks, which has no checksum in HDF5's old format: 8 bytes of
-/// size and mask of filters, and the place of the chunk in the dataset (HDF5 file format, III.A.1).
+/// Returns where the keys of the chunk index are, which has no checksum in HDF5's old format. A key
+/// has the size and filter mask (8 bytes), then the chunk's place in the dataset (HDF5 file format,
+/// III.A.1).
 std::set<std::size_t> keys_of_chunks(const Covered& file) {
   std::set<std::size_t> keys;
   for (const Range& range : file.ranges) {
     const auto size = static_cast<std::uint32_t>(range.end - range.begin);
     std::string key(8, '\0');
     for (std::size_t i = 0; i < 4; ++i) key[i] = static_cast<char>(size >> (8 * i));
-    const std::string first_place(8, '\0');  // of the only row
+    const std::string first_place(8, '\0');  // first place in the only row
     for (std::size_t at = file.bytes.find(key + first_place); at != std::string::npos;
          at = file.bytes.find(key + first_place, at + 1)) {
       keys.insert(at);
@@ -277,10 +278,10 @@ TEST(Flips, InTheTypeAndTheFiltersOfHdf5GiveNoOtherNumbers) {
   const std::size_t name = whole.bytes.find("deflate");
   ASSERT_NE(type, std::string::npos);
   ASSERT_NE(name, std::string::npos);
-  std::vector<std::size_t> places{name - 24, name - 8};  // type of the message, of the filter
+  std::vector<std::size_t> places{name - 24, name - 8};  // message type, filter type
   for (std::size_t i = 2; i < 20; ++i) places.push_back(type + i);
   for (const std::size_t at : places) {
-    // Read in a process apart, because libhdf5 1.10 may crash or leak.
+    // Reads in another process, because libhdf5 1.10 may crash or leak.
     for (int bit = 0; bit < 8; ++bit) is_refused_or_same(folder, whole, at, bit, read);
   }
 }
@@ -291,13 +292,13 @@ TEST(Flips, InTheExtentsOfHdf5CannotHideChunks) {
   const std::string extents("\x01\0\0\0\0\0\0\0\xb8\x0b", 10);  // 1 x 3000
   const std::size_t at = bytes.find(extents);
   ASSERT_NE(at, std::string::npos);
-  bytes[at + 9] = 3;  // 1 x 952, which is two chunks of five
+  bytes[at + 9] = 3;  // 1 x 952: two chunks of five
   EXPECT_ERROR(read_here(folder.write("a.h5", bytes), "x"), Exit::bad_input,
                "dataset /x is damaged: its chunks are others than those of its extents");
 }
 
-/// Flips bits of what the old format says of a file and of a dataset without filters: the base and
-/// the end of the file (HDF5 file format, II.A), and the extents (IV.A.2.b).
+/// Flips bits in the old format's header and in a dataset without filters: the base and the end of
+/// the file (HDF5 file format, II.A), and the extents (IV.A.2.b).
 TEST(Flips, InTheEndAndTheExtentsOfHdf5GiveNoOtherNumbers) {
   const Folder folder;
   const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -344,7 +345,7 @@ TEST(Hdf5, HasHalfFloatsButNoTypesThatNobodyHas) {
   H5Tset_ebias(odd, 126);
   const hid_t twelve_bits = H5Tcopy(H5T_STD_I16LE);
   H5Tset_precision(twelve_bits, 12);
-  const std::vector<std::uint16_t> bytes{0x3C00, 0xC000, 0x3C00, 0xC000};  // as halves 1 and -2
+  const std::vector<std::uint16_t> bytes{0x3C00, 0xC000, 0x3C00, 0xC000};  // 1 and -2 in binary16
   const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   write_dataset(file, "half", half, {4}, bytes.data());
   write_dataset(file, "odd", odd, {2}, bytes.data());

@@ -54,7 +54,7 @@ TEST(Formats, ThatAreNotReadAreNamedWithAWayOut) {
                "is of MATLAB, version 4: save it as version 5");
 }
 
-/// Samples in binary form without a header, and text in UTF-16 without its mark.
+/// Uses binary samples without a header, and UTF-16 text without a byte order mark.
 TEST(Formats, WithoutAMarkAreToldFromText) {
   const Folder folder;
   std::string floats;

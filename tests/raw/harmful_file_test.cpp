@@ -9,8 +9,8 @@
 #include "support/folder.hpp"
 #include "support/harmful_files.hpp"
 
-/// Raw files that were made to do harm, read as ingest does it. Whatever they say of themselves,
-/// reading them takes neither much memory nor time, and ends in one line that names them.
+/// Reads malicious raw files as ingest does. Whatever they declare, reading takes little memory and
+/// time, and ends in one line with the file's name.
 namespace piae::raw {
 namespace {
 
@@ -79,7 +79,7 @@ TEST(HarmfulRawFile, DoesNotBringInOtherFiles) {
   expect_refused(folder / "values.h5", "is virtual or external: its values stand in other files");
 }
 
-/// x is 50 numbers long, and packed.
+/// Returns an HDF5 file with a compressed x of 50 numbers.
 std::string packed_hdf5(const fs::path& path) {
   {
     const harmful::NewHdf5 file(path);
@@ -98,7 +98,7 @@ std::string packed_hdf5(const fs::path& path) {
   return bytes_of(path);
 }
 
-// libhdf5 1.10 crashes here: every number of x is said to have 16 million bytes.
+// libhdf5 1.10 crashes here: each number of x declares 16 million bytes.
 TEST(HarmfulRawFile, ThatCrashesItsReaderIsRefused) {
   const Folder folder;
   std::string bytes = packed_hdf5(folder / "a.h5");

@@ -28,7 +28,7 @@ matvar_t* text(const char* name, const std::string& words) {
   return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF8, 2, dims, const_cast<char*>(words.data()), 0);
 }
 
-/// Paderborn's layout, K.Y(2).Data; a structure b.gs, a cell array c, a matrix data of 2 x 3.
+/// Writes Paderborn's layout, K.Y(2).Data; a structure b.gs, a cell array c, a 2 x 3 matrix data.
 fs::path write_nested(const fs::path& path, mat_ft version) {
   mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
   std::size_t one[]{1, 1};
@@ -119,7 +119,7 @@ TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
 INSTANTIATE_TEST_SUITE_P(Versions, Nested, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
                          [](const auto& info) { return info.param == MAT_FT_MAT5 ? "v5" : "v73"; });
 
-/// An array of four structures, two of which have the same Name.
+/// Writes an array of four structures, two of which have the same Name.
 fs::path write_namesakes(const fs::path& path, mat_ft version) {
   mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
   std::size_t four[]{1, 4};
@@ -136,7 +136,7 @@ fs::path write_namesakes(const fs::path& path, mat_ft version) {
   return path;
 }
 
-/// Cells and structures in rows and columns, which MATLAB stores down the columns.
+/// Uses cells and structures in rows and columns, which MATLAB stores column by column.
 TEST(Elements, AreNamedByRowAndColumnToo) {
   const Folder folder;
   for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
@@ -222,7 +222,7 @@ TEST(Namesakes, AmongFieldsAreRefused) {
   EXPECT_EQ(read_mat(folder / "a.mat", "b.y"), first);
 }
 
-/// A file of HDF5 with a dataset of 2 x 3 and links to it.
+/// Writes an HDF5 file with a 2 x 3 dataset and links to it.
 fs::path write_links(const fs::path& path) {
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t extents[]{2, 3};

@@ -9,7 +9,7 @@
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
-/// Text as instruments, loggers and other programs write it.
+/// Text in the formats of instruments, loggers and other programs.
 namespace piae::raw {
 namespace {
 
@@ -54,7 +54,7 @@ TEST_F(InstrumentText, MayHaveASeparatorAtTheEndOfItsLines) {
   expect_read("t,x\n0,-0.5,\n1,1.25,\n2,2,\n", "x");
   expect_read("t;x\n0;-0.5;\n1;1.25;\n2;2;\n", "2");
   expect_refused("t,x\n1,2\n0,-0.5,7\n", "x", ", line 3: has 3 fields, the lines before 2");
-  // Separators at the end of a header do not name a column.
+  // Trailing separators of a header do not name a column.
   expect_read("t,x,,\n0,-0.5\n1,1.25\n2,2\n", "x");
 }
 
@@ -83,11 +83,11 @@ TEST_F(InstrumentText, HasNoSamplesAboveItsTable) {
   for (int i = 0; i < 12; ++i) decimals += "0.25\n";
   expect_refused("2\n12000\n24000\n" + decimals, "1",
                  ", line 1: column 1 holds '2', written otherwise than the numbers below");
-  // Where numbers are written as short as they go, as others show, a whole one is a sample.
+  // If other numbers show that trailing zeros are dropped, an integer is a sample.
   EXPECT_EQ(read_here(folder_.write("a.txt", "0\n0.125\n" + decimals + "1\n"), "1").size(), 15U);
 }
 
-/// Twenty samples of several digits, one in a line behind `before`; the form is that of printf.
+/// Returns twenty samples of several digits, one a line after `before`; `form` is a printf format.
 std::string samples(const std::string& before = "", const char* form = "%.6f") {
   std::string text;
   for (int i = 0; i < 20; ++i) {
@@ -105,7 +105,7 @@ TEST_F(InstrumentText, HasNoNumberAboveItsTableThatIsWrittenOtherwise) {
   expect_refused("12000.0\n" + samples(), "1", why);
   expect_refused("1.2E+04\n" + samples("", "%.6E"), "1", why);
   expect_refused("acc\ng\n9.81\n" + samples(), "acc", "line 3: column acc holds '9.81'" + why);
-  // Times begin with a plain 0; samples that are written in many ways may be anything.
+  // Times start with a plain 0. Samples in several formats may have any format.
   std::string times = "t,x\n0,0.5\n";
   for (int i = 1; i < 20; ++i) times += std::to_string(0.001 * i) + ",0.5\n";
   EXPECT_EQ(read_here(folder_.write("a.txt", times), "t").size(), 20U);
@@ -122,7 +122,7 @@ TEST_F(InstrumentText, HasNoLineOfWordsAmongItsNumbers) {
   expect_refused("time;acc\ns;9.810000\n" + samples("0.1;"), "acc", "line 2: begins with 's" + why);
   expect_refused("Start 2026-11-27 12:00:00,100.500000\n" + samples("12:00:00.1,"), "2",
                  "line 1: begins with 'Start 2026-11-27 12:00:00" + why);
-  // Names of lines, and numbers that are missing, are of a table.
+  // Row names and missing numbers belong to a table.
   EXPECT_EQ(read_here(folder_.write("a.txt", samples("n,")), "2").size(), 20U);
   EXPECT_EQ(read_here(folder_.write("a.txt", table + "nan,0.5\n" + table), "2").size(), 41U);
 }
@@ -137,7 +137,7 @@ TEST_F(InstrumentText, HasNoCommaThatMayStandBeforeThousands) {
   expect_refused("5,114567\n5,024567\n", "1", "numbers with a decimal comma, it seems");
   expect_refused("0,000000,0,345584\n0,000100,0,445584\n", "1",
                  "numbers with a decimal comma, it seems");
-  // One of them shows which it is.
+  // One number shows the meaning of the comma.
   EXPECT_THAT(read_here(folder_.write("a.txt", "x\n2,401\n0,250\n"), "x"),
               ElementsAre(2.401, 0.25));
   EXPECT_THAT(read_here(folder_.write("a.txt", "2 437\n3 465\n"), "1"), ElementsAre(2, 3));
@@ -147,11 +147,11 @@ TEST_F(InstrumentText, OfWholeNumbersMayHaveLeadingZerosBelowAHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "x,y\n0,1\n9,-0\n-8,02053\n"), "y"),
               ElementsAre(1, 0, 2053));
   expect_refused("0,5\n1,05\n", "2",
-                 ", line 2: column 2 holds '05'");  // 0.5 and 1.05, or four numbers
+                 ", line 2: column 2 holds '05'");  // ambiguous: 0.5 and 1.05, or four numbers
 }
 
 TEST_F(InstrumentText, MayBeWholeNumbersWithSignsAndNoHeader) {
-  // Were commas decimal ones, no sign could stand behind one.
+  // If commas were decimal signs, no sign could follow a comma.
   EXPECT_THAT(read_here(folder_.write("a.csv", "1,-0\n-0,2\n07,-3\n"), "1"), ElementsAre(1, 0, 7));
   EXPECT_THAT(read_here(folder_.write("a.csv", "007\n-0\n0100\n"), "1"), ElementsAre(7, 0, 100));
   EXPECT_THAT(read_here(folder_.write("a.csv", "0;007\n1;-0\n"), "2"), ElementsAre(7, 0));
@@ -171,7 +171,7 @@ TEST_F(InstrumentText, OfTwoTablesIsRefusedWhereTheSecondOneBegins) {
   expect_refused("0.5\n1.5\nx\n2.5\n", "1", ", line 3: column 1 holds 'x', not a number");
 }
 
-/// Latin-1, and GBK, whose characters may end with the byte of a bar.
+/// Latin-1, and GBK, where a character may end with the byte of a bar.
 TEST_F(InstrumentText, ThatIsNotInUtf8IsReadByNumber) {
   const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
   const std::string latin1 = "Zeit [s],Beschl. [m/s\xb2]\n" + rows;
@@ -200,9 +200,9 @@ TEST_F(InstrumentText, WhoseHeaderHasOtherFieldsThanItsRowsIsReadByNumber) {
     expect_read(header + rows, "2");
     expect_refused(header + rows, "x", " above lines of 2 numbers; name the column by its number");
   }
-  expect_read("t x\n1 0 -0.5\n2 1 1.25\n3 2 2\n", "3");  // as R writes the names of rows
+  expect_read("t x\n1 0 -0.5\n2 1 1.25\n3 2 2\n", "3");  // R writes row names without a header
   expect_refused("t x\n1 0 -0.5\n2 1 1.25\n", "x", ", line 1: is a header of 2 names above lines");
-  expect_read(",x\n" + rows, "x");  // as pandas writes the number of a row
+  expect_read(",x\n" + rows, "x");  // pandas writes row numbers with an empty header
 }
 
 TEST_F(InstrumentText, OfOneRowIsRefused) {

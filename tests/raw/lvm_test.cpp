@@ -13,7 +13,7 @@ namespace {
 using testing::DoubleEq;
 using testing::ElementsAre;
 
-/// The header of a file, by NI's "Specification for the LabVIEW Measurement File (.lvm)".
+/// Returns a file header (NI, "Specification for the LabVIEW Measurement File (.lvm)").
 std::string lvm_header(const std::string& multi_headings, const std::string& x_columns,
                        const std::string& decimal_sign = ".") {
   return "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\n"
@@ -22,7 +22,7 @@ std::string lvm_header(const std::string& multi_headings, const std::string& x_c
          "\nTime_Pref\tAbsolute\nDate\t2024/02/24\nTime\t10:00:00.25\n***End_of_Header***\t\n\t\n";
 }
 
-/// Two channels of three samples each.
+/// Returns a segment header of two channels with three samples each.
 std::string segment_header(const std::string& names, const std::string& samples = "3\t3",
                            const std::string& steps = "0.0001\t0.0002") {
   return "Notes\tnone\t\nChannels\t2\t\t\nSamples\t" + samples +

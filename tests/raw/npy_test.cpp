@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A file as numpy.lib.format describes version 1.0.
+/// Returns a file of version 1.0 of numpy.lib.format.
 template <class T>
 std::string npy(const std::string& type, const std::string& order, const std::string& shape,
                 const std::vector<T>& values) {
@@ -42,7 +42,7 @@ TEST(Npy, HoldsAVectorOfAnyNumberType) {
   EXPECT_THAT(of(npy<std::int16_t>("<i2", "False", "(2,)", {-32768, 7})), ElementsAre(-32768, 7));
   EXPECT_THAT(of(npy<std::uint8_t>("|u1", "False", "(2,)", {0, 255})), ElementsAre(0, 255));
   EXPECT_THAT(of(npy<std::uint16_t>(">i2", "False", "(2,)", {0x0100, 0xFEFF})), ElementsAre(1, -2));
-  // 1, -2, the smallest and the largest number of 16 bits (IEEE 754)
+  // 1, -2, the smallest positive and the largest 16-bit number (IEEE 754)
   EXPECT_THAT(of(npy<std::uint16_t>("<f2", "False", "(4,)", {0x3C00, 0xC000, 0x0001, 0x7BFF})),
               ElementsAre(1, -2, 5.9604644775390625e-08, 65504));
 }

@@ -5,7 +5,7 @@
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
-/// Several files by one run of read_raw.
+/// Several files in one run of read_raw.
 namespace piae::raw {
 namespace {
 

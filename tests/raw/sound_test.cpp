@@ -19,19 +19,19 @@ namespace fs = std::filesystem;
 constexpr int rate_hz = 48000;
 constexpr std::size_t length = 3000;
 
-/// Whole numbers of 16 bits in two channels, the second one the negative of the first.
+/// Returns a 16-bit sample of the first channel; the second one has its negative.
 std::int16_t sample(std::size_t i) {
   return static_cast<std::int16_t>(20000 * std::sin(0.01 * static_cast<double>(i * i)));
 }
 
-/// A number of 2 or 4 bytes, low byte first.
+/// Returns a number in 2 or 4 bytes, low byte first.
 std::string little(std::uint32_t number, int bytes) {
   std::string text;
   for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i));
   return text;
 }
 
-/// A WAV file as the format's description has it (Microsoft and IBM, 1991): PCM, 16 bits.
+/// Returns a WAV file (Microsoft and IBM, 1991): PCM, 16 bits.
 std::string wav() {
   std::string data;
   for (std::size_t i = 0; i < length; ++i) {
@@ -45,7 +45,7 @@ std::string wav() {
   return "RIFF" + little(static_cast<std::uint32_t>(chunks.size()), 4) + chunks;
 }
 
-/// The same by libsndfile in another format.
+/// Writes the same samples with libsndfile in another format.
 fs::path written(const fs::path& file, int format) {
   SF_INFO info{};
   info.samplerate = rate_hz;
@@ -118,7 +118,7 @@ TEST(Sound, ThatIsCutIsRefused) {
   }
 }
 
-/// One flipped bit in the size of the samples, which no checksum covers.
+/// Flips one bit in the size of the samples, which no checksum covers.
 TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
   const Folder folder;
   std::string bytes = wav();
@@ -134,7 +134,7 @@ TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
   std::string longer = bytes + more;
   longer.replace(4, 4, little(static_cast<std::uint32_t>(longer.size() - 8), 4));
   expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
-  // A file whose header has another size may end with anything.
+  // A file may end with anything if its header declares another file size.
   longer = bytes + "xx";
   expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
 }

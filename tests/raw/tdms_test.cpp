@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using Doubles = std::vector<double>;
 using Shorts = std::vector<std::int16_t>;
 
-/// A file whose channels rig/acc (double) and rig/tacho (16 bits) have three values each.
+/// Returns a file with channels rig/acc (double) and rig/tacho (16 bits) of three values each.
 std::string two_channels(const tdms::Writer& write, bool is_interleaved) {
   const std::vector<std::string> objects{
       write.object("/", write.no_values(), {write.property("name", std::string("run 7"))}),
@@ -115,10 +115,10 @@ TEST_F(Tdms, MayHaveManySegmentsWhoseMetadataSayOnlyWhatChanged) {
                                      {write_.object(a, write_.index(tdms::int16, 2)),
                                       write_.object(b, write_.index(tdms::int16, 1))},
                                      shorts({1, 2, -1, 3, 4, -2}));  // two chunks
-  bytes += write_.segment(tdms::raw_data, {}, shorts({5, 6, -3}));   // all as before
-  bytes += write_.segment(tdms::raw_data | tdms::metadata,  // b has two values from here on
+  bytes += write_.segment(tdms::raw_data, {}, shorts({5, 6, -3}));   // unchanged list and sizes
+  bytes += write_.segment(tdms::raw_data | tdms::metadata,           // b has two values from now on
                           {write_.object(b, write_.index(tdms::int16, 2))}, shorts({7, 8, -4, -5}));
-  bytes += write_.segment(tdms::raw_data | tdms::metadata,  // a none
+  bytes += write_.segment(tdms::raw_data | tdms::metadata,  // a has none
                           {write_.object(a, write_.no_values())}, shorts({-6, -7}));
   bytes +=
       write_.segment(tdms::new_values, {write_.object(a, write_.as_before())}, shorts({9, 10}));
@@ -132,7 +132,7 @@ TEST_F(Tdms, MayHaveManySegmentsWhoseMetadataSayOnlyWhatChanged) {
 
 TEST_F(Tdms, HasOtherThingsBetweenItsNumbers) {
   const std::string labels = write_.number(std::uint32_t{1}) + write_.number(std::uint32_t{4}) +
-                             "abcd";  // ends of two texts, and their letters
+                             "abcd";  // ends of two texts, then their letters
   const std::string bytes =
       write_.segment(tdms::new_values,
                      {write_.object("/'it''s'/'label'", write_.index_of_text(2, labels.size())),
@@ -163,7 +163,7 @@ TEST_F(Tdms, IsScaledAsItSays) {
                                   write_.property("NI_Scale[0]_Linear_Y_Intercept", 10.0),
                                   count("NI_Scale[0]_Linear_Input_Source", 0xFFFFFFFF)};
   EXPECT_THAT(samples(scaled(linear), "1"), ElementsAre(9, 10, 12));
-  std::vector<std::string> both = linear;  // 1 + 2 y + y^2 of y = 10 + x / 2
+  std::vector<std::string> both = linear;  // 1 + 2 y + y^2 with y = 10 + x / 2
   both[0] = count("NI_Number_Of_Scales", 2);
   both.push_back(words("NI_Scale[1]_Scale_Type", "Polynomial"));
   both.push_back(count("NI_Scale[1]_Polynomial_Coefficients_Size", 3));
@@ -195,7 +195,7 @@ TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
   const std::string cut = (whole + last).substr(0, whole.size() + last.size() - 5);
   EXPECT_THAT(samples(cut, "g/a"), ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(samples(cut, "g/b"), ElementsAre(-1, -2));
-  // Cut in its metadata: nothing of that segment is there.
+  // A segment cut in its metadata contributes no values.
   EXPECT_THAT(samples(whole + last.substr(0, 60), "g/a"), ElementsAre(1, 2));
   // A single channel keeps each whole sample.
   const std::string alone =

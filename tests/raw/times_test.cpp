@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// Times at a rate, rounded, without these samples.
+/// Returns rounded times at a rate, without `count` samples from `first` on.
 Numbers times_without(std::size_t first, std::size_t count, double resolution_s = 1e-6,
                       double rate_hz = 12000) {
   Numbers times;
@@ -79,7 +79,7 @@ TEST(Times, ShowNoneInWholeOrCoarseOnes) {
   EXPECT_EQ(unnamed({0, 1, 2, 5, 6}).gaps, 0U);
 }
 
-/// At 952 Hz every twentieth time skips a millisecond.
+/// At 952 Hz about every twentieth time skips a millisecond.
 TEST(Times, AreToldFromRoundedOnesByTheRate) {
   EXPECT_TRUE(are_rounded(named(times_without(0, 0, 1e-3, 952)), 952));
   EXPECT_FALSE(are_rounded(named(times_without(1234, 300, 1e-3, 1000)), 1000));
@@ -139,7 +139,7 @@ TEST(Times, MayBeInAnyUnitThatTheirNameDoesNotSay) {
   EXPECT_EQ(other->unit_s, 1e-3);
 }
 
-/// 39 us printed as 30 or 40, and 0.0833 ms printed as 0 or 1 ms.
+/// Times such as steps of 39 us printed as 30 or 40, or 0.0833 ms printed as 0 or 1 ms.
 TEST(Times, ThatAreRoundedContradictNoRate) {
   for (const double rate_hz : {25600., 25000., 9700., 12000., 952.}) {
     for (const double resolution_s : {1e-6, 1e-5, 1e-4, 1e-3}) {
@@ -167,7 +167,7 @@ TEST(Times, AreUnevenWhereTheyScatterMoreThanRoundingDoes) {
   }
 }
 
-/// As a spreadsheet stores a date.
+/// Spreadsheets store dates in days.
 TEST(Times, MayBeDays) {
   Numbers days = times_without(0, 0, 1e-5);
   for (double& time : days) time = 45000.5 + time / 86400;

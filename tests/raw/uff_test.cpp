@@ -20,7 +20,7 @@ using testing::ElementsAre;
 /// Header fields of a data set 58, record by record (SDRC, "Universal Dataset Number 58").
 struct UffHeader {
   std::string name = "Bearing 1";
-  int function = 1;  ///< a time response
+  int function = 1;  ///< time response
   int ordinate = 2;  ///< single precision
   int count = 3;
   int even = 1;
@@ -32,7 +32,7 @@ std::string in_columns(int number, std::size_t width) {
   return std::string(width - digits.size(), ' ') + digits;
 }
 
-/// The eleven lines behind the type.
+/// Returns the eleven lines after the type.
 std::string header_lines(const UffHeader& about, const std::string& end) {
   const std::string units = "    0    0    0 NONE                 NONE                ";
   return about.name + std::string(80 - about.name.size(), ' ') + end + "NONE" + end +
@@ -85,12 +85,12 @@ class Uff : public testing::Test {
 
 TEST_F(Uff, HasTextInFieldsOfAFixedWidth) {
   EXPECT_THAT(samples(text_set({}, three_singles)), ElementsAre(1.5, -2, 3e-9));
-  std::string wide;  // each field 20 columns
+  std::string wide;  // fields of 20 columns
   for (const char* field : {"  1.500000000000E+00", " -2.000000000000D+00", "  3.00000000000E-009"})
     wide += field;
   EXPECT_THAT(samples(text_set({.ordinate = 4}, wide + "\n")), ElementsAre(1.5, -2, 3e-9));
-  // Fields of another width, and without blanks between, several lines, blanks at their ends and
-  // CRLF.
+  // Fields of another width, without blanks between them, on several lines, with blanks at their
+  // ends and CRLF.
   const std::string full = "-1.50000E+000-2.00000E+000 3.00000E-009\r\n  4.00000E+00          \r\n";
   EXPECT_THAT(samples(text_set({}, "   1.500E+00  -2.000E+00   3.000E-09\n")),
               ElementsAre(1.5, -2, 3e-9));
@@ -109,7 +109,7 @@ TEST_F(Uff, HasBytesInEitherOrder) {
 
 TEST_F(Uff, HasSeveralDataSetsByNumberOrName) {
   const std::string units = "    -1\n   164\n         1  SI: Meter (newton)         2\n    -1\n";
-  // Bytes that look like a mark or a line end are bytes.
+  // Binary data may hold bytes of a mark or a line end.
   const std::string odd = std::string("\n    -1\n\x3f\x3f\x3f\x3f", 12);
   const std::string file =
       units + binary_set({.name = "Bearing 1"}, odd, true) +

@@ -5,7 +5,7 @@
 namespace piae::raw {
 namespace {
 
-/// As a list of steps: "K", "Y#2", "Y[Name=a.b]", "row 2".
+/// Returns the steps as a list: "K", "Y#2", "Y[Name=a.b]", "row 2".
 std::string described(const std::string& text) {
   const auto path = parse_variable(text);
   if (!path) return "none";
