@@ -1,5 +1,5 @@
-// Compares LibTorch on a CUDA device with our own kernels, from the same parameters: equal except
-// for rounding. Skipped without such a device.
+// Compares LibTorch on a CUDA device with our own kernels from the same parameters: equal except
+// for rounding. Skips without such a device.
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ class OnCuda : public testing::Test {
   }
 };
 
-/// Adam divides by the root of its second moment, so the last digits of a gradient near zero move a
-/// weight as much as a large gradient does.
+/// Tolerance after a step of Adam. Adam divides by the root of its second moment, so rounding of a
+/// gradient near zero moves a weight as much as a large gradient does.
 constexpr double after_adam = 1e-3;
 
 void expect_near(const std::vector<float>& ours, const std::vector<float>& theirs,
@@ -75,7 +75,7 @@ TEST_F(OnCuda, EveryVariantOfTheTwinStepsAndEncodes) {
   }
 }
 
-/// Takes two steps, the second with a batch that is not full.
+/// Takes two steps, the second with a smaller batch.
 void expect_equal_steps(latent::LatentBackend& ours, latent::LatentBackend& theirs) {
   ASSERT_EQ(ours.values(), theirs.values());
   Stream our_noise("noise");
@@ -105,7 +105,7 @@ TEST_F(OnCuda, TheWganGpSteps) {
                      *libtorch::wgan_gp(task, options, Stream("initial"), Device::cuda));
 }
 
-/// The step is too small to learn anything, so the networks stay equal and rounding does not grow.
+/// Uses steps too small for learning, so the networks stay equal and rounding does not grow.
 TEST_F(OnCuda, WdcnnMakesTheSameOfEachWindow) {
   using namespace diagnosis;
   WdcnnOptions options;

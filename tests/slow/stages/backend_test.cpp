@@ -33,10 +33,10 @@ TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
   }
   ASSERT_EQ(libtorch.loss.size(), 2U);
   EXPECT_NEAR(libtorch.loss[0], native.loss[0], 1e-2 * native.loss[0]);
-  EXPECT_NE(libtorch_file.digest(), native_file.digest());  // it was indeed computed by another
+  EXPECT_NE(libtorch_file.digest(), native_file.digest());  // by another back end
 }
 
-/// What the dynamic linker would load for a program.
+/// Returns the libraries that the dynamic linker would load for a program.
 std::string libraries_of(const Tiny& tiny, const std::string& program) {
   return stages::run(tiny.path(), program, {}, {{{"LD_TRACE_LOADED_OBJECTS", "1"}}}).out;
 }
@@ -59,7 +59,7 @@ TEST(Backend, ProgramsThatAreNamedAfterLibtorchLoadIt) {
   }
 }
 
-/// A training of one epoch.
+/// Returns the arguments of a training of one epoch.
 Arguments training(const std::string& method, const std::string& model) {
   return {"--method", method, "--epochs", "1", "--known",  "C.h5",
           "--seed",   "0",    "--width",  "8", "--output", model};
@@ -68,7 +68,7 @@ Arguments training(const std::string& method, const std::string& model) {
 TEST(Backend, IsLibtorchsOnlyWhereThatIsAskedFor) {
   const Tiny tiny;
   tiny.run_chain_before("train");
-  const fs::path alone = tiny / "bin/train";  // where no train-libtorch stands beside it
+  const fs::path alone = tiny / "bin/train";  // without train-libtorch next to it
   fs::create_directories(alone.parent_path());
   fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
   const std::string program = fs::relative(alone, PIAE_BIN);
@@ -81,7 +81,7 @@ TEST(Backend, IsLibtorchsOnlyWhereThatIsAskedFor) {
                  1, {"needs LibTorch", "bin/train-libtorch", "make build LIBTORCH=on"});
 }
 
-// Whoever trained a model, either generates from it, and but for rounding the same.
+// Checks that both back ends generate the same windows from a model, except for rounding.
 TEST(Backend, ModelsOfOneAreReadByTheOther) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;

@@ -1,5 +1,5 @@
-// What CONTRIBUTING.md shows of a new data set, method, classifier, table, figure and stage, letter
-// for letter (contributing/lay_out.sh), used as it says.
+// Builds and uses CONTRIBUTING.md's examples of a data set, method, classifier, table, figure and
+// stage, letter for letter (contributing/lay_out.sh).
 
 #include <gmock/gmock.h>
 
@@ -17,12 +17,13 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A program that was built from what is shown.
+/// Returns a program built from the examples.
 std::string shown(const std::string& stage) {
   return fs::relative(fs::path(PIAE_SHOWN) / "bin" / stage, PIAE_BIN);
 }
 
-/// Ringing that is struck every 80 samples, louder for a defect, and a little noise: 6 s at 12 kHz.
+/// Returns 6 s at 12 kHz: a decaying oscillation of amplitude `loudness` every 80 samples, and some
+/// noise.
 std::string recording(double loudness) {
   Stream noise("recording");
   std::string text;
@@ -101,7 +102,7 @@ TEST(ShownMethod, StandsAmongTheOthersInTheHelp) {
   EXPECT_THAT(tiny.run(shown("train"), {"--help"}).out, HasSubstr("reverse"));
 }
 
-/// The mean accuracy of a line of accuracy.csv, as tables for people show it.
+/// Returns the mean accuracy in a line of accuracy.csv, cut to two decimals.
 std::string accuracy_of(const std::string& csv, const std::string& cell) {
   std::istringstream fields(csv.substr(csv.find("\n" + cell) + 1));
   std::string field;
@@ -109,7 +110,7 @@ std::string accuracy_of(const std::string& csv, const std::string& cell) {
   return field.substr(0, field.find('.') + 3);
 }
 
-// Of one seed the lowest accuracy is the highest.
+// Uses one seed, so the lowest accuracy is also the highest.
 TEST(ShownTable, HasTheLowestAndTheHighestAccuracyOfEachCell) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");

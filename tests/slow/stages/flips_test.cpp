@@ -6,17 +6,17 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// One byte that is not what it was, or the end of a file that is not there.
+/// Artefacts with one changed byte or a missing end.
 namespace piae::stages {
 namespace {
 
 using artefact::Reader;
 
-/// The step that reads an artefact of the chain, and the option that names it.
+/// A step that reads an artefact of the chain, and the option that names the artefact.
 struct Consumer {
   std::string file;
   std::string stage;
-  std::string option;  ///< empty where the stage finds the file by itself
+  std::string option;  ///< empty if the stage finds the file itself
 };
 
 const std::vector<Consumer> consumers{
@@ -31,13 +31,13 @@ const std::vector<Consumer> consumers{
     {"run/tiny/seed0/piae-dt/50to1/wdcnn/diagnosis.h5", "tabulate", ""},
 };
 
-/// What tells two artefacts with different values apart. Reading checks that both digests are those
-/// of the values.
+/// Returns both digests, which differ if the values differ. Reading checks that the digests match
+/// the values.
 std::string digests_of(const Reader& reader) {
   return reader.digest() + ' ' + reader.text("/provenance", "digest");
 }
 
-/// A copy with one bit or more of one byte changed, at a random place.
+/// Returns a copy with a random byte changed in one or more bits.
 std::string flipped(const std::string& good, std::mt19937_64& random) {
   std::string bytes = good;
   char& byte = bytes[random() % bytes.size()];
@@ -45,7 +45,7 @@ std::string flipped(const std::string& good, std::mt19937_64& random) {
   return bytes;
 }
 
-/// Whether the library refuses the file. If it does not, the values must be the old ones.
+/// True if the library refuses the file. Otherwise the values must be the old ones.
 bool is_refused(const fs::path& file, const std::string& digests) {
   try {
     EXPECT_EQ(digests_of(Reader(file, "")), digests);
@@ -56,7 +56,8 @@ bool is_refused(const fs::path& file, const std::string& digests) {
   }
 }
 
-/// verify reports the file, and the stage that reads it refuses it and writes nothing; or neither.
+/// Expects `verify` to report a refused file and its stage to refuse it without writing; expects
+/// `verify` to accept any other file.
 void expect_refused_by_programs(const Tiny& tiny, const Consumer& c, bool refused) {
   const Outcome verified = tiny.run("verify", {c.file});
   if (!refused) {
@@ -73,7 +74,7 @@ void expect_refused_by_programs(const Tiny& tiny, const Consumer& c, bool refuse
   EXPECT_EQ(tiny.files(), before);
 }
 
-/// The chain's artefacts, one of which is damaged at a time.
+/// The chain's artefacts; tests damage one at a time.
 class Damage : public testing::Test {
  protected:
   void SetUp() override {

@@ -21,7 +21,8 @@ bool names(const std::string& line, const std::string& file) {
   return line.find(fs::path(file).filename().string()) != std::string::npos;
 }
 
-/// What no program may do, whatever it is given.
+/// Describes a hang, crash or memory use that no program may show for any input; "" if there is
+/// none.
 std::string out_of_bounds(const std::string& program, const Outcome& outcome) {
   const std::string said = "; it said: " + outcome.err + outcome.out;
   if (outcome.hung) return program + " ran for more than 20 s" + said;
@@ -83,7 +84,7 @@ Workbench::Workbench(const fs::path& corpus, const fs::path& folder, const fs::p
       throw std::runtime_error(consumer.file + ": the good artefact is refused: " + verified.out +
                                outcome.err);
     }
-    write_bytes(folder_ / consumer.file, good_[consumer.file]);  // a used checkpoint is removed
+    write_bytes(folder_ / consumer.file, good_[consumer.file]);  // a used checkpoint is gone
     made_of_good_[{consumer.file, consumer.stage}] = take_new_files();
   }
 }
@@ -117,14 +118,14 @@ std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
     return as_good ? "" : consumer.stage + " left other files than of the good artefact" + said;
   }
   if (!made.empty()) return consumer.stage + " refused and left " + made.begin()->first + said;
-  // The options are good, so that only the data can be to blame; a training may diverge by them.
+  // The options are good, so an error is due to the data; only training may also diverge.
   const std::string line = last_line(outcome.err);
   const bool diverged = outcome.status == 1 && line.find("diverge") != std::string::npos;
   if (outcome.status != 65 && !diverged) {
     return consumer.stage + " ended with " + std::to_string(outcome.status) + said;
   }
   if (!line.starts_with(consumer.stage + ": ")) return "an error without its stage" + said;
-  // tabulate lists all files that it refuses, and says at last that it made nothing.
+  // tabulate lists all refused files before its last line.
   if (!diverged && !names(outcome.err, consumer.file)) {
     return consumer.stage + " does not name the file" + said;
   }

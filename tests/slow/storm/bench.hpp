@@ -12,13 +12,13 @@
 
 namespace piae::storm {
 
-/// What became of one altered artefact.
+/// Result for one altered artefact.
 struct Verdict {
-  bool refused = false;  ///< by verify, by the stage, or by both
-  std::string finding;   ///< what is not as promised; empty where all is
+  bool refused = false;  ///< by verify, the stage or both
+  std::string finding;   ///< broken promise; empty if there is none
 };
 
-/// A copy of the corpus in which one artefact at a time is altered, and the programs that judge it.
+/// A copy of the corpus with one altered artefact at a time, and the programs that judge it.
 class Workbench {
  public:
   Workbench(const std::filesystem::path& corpus, const std::filesystem::path& folder,
@@ -30,18 +30,17 @@ class Workbench {
     return good_.at(consumer.file);
   }
 
-  /// Runs `verify` and the stage on the corpus with these bytes in the artefact's place, and puts
-  /// the corpus back. Where the same content is promised, what the stage writes must be what it
-  /// writes of the good artefact.
+  /// Runs `verify` and the stage with these bytes as the artefact, and restores the corpus. With
+  /// `same_content`, an accepted artefact must lead to the same output as the good one.
   Verdict judge(const Consumer& consumer, const std::string& bytes, bool same_content);
 
  private:
   using Contents = std::map<std::string, std::string>;
 
   [[nodiscard]] std::vector<std::string> command(const Consumer& consumer) const;
-  /// What stands in the folder beyond the corpus; it is removed.
+  /// Returns and removes the files that are not part of the corpus.
   Contents take_new_files();
-  /// Why what a stage did cannot be, or nothing.
+  /// Returns why the programs' behaviour is wrong; empty if it is right.
   [[nodiscard]] std::string odd(const Consumer& consumer, const Outcome& verified,
                                 const Outcome& outcome, const Contents& made) const;
 
@@ -49,7 +48,8 @@ class Workbench {
   std::filesystem::path programs_;
   std::vector<Consumer> consumers_;
   std::map<std::string, std::string> good_;  ///< bytes of each artefact
-  /// What a stage makes of the corpus as it is, by the artefact and the stage: several read one.
+  /// Outputs for the good corpus, by artefact and stage, because several stages read the same
+  /// artefact.
   std::map<std::pair<std::string, std::string>, Contents> made_of_good_;
   Files corpus_;
 };

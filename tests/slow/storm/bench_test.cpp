@@ -15,7 +15,7 @@ void write_program(const fs::path& path, const std::string& commands) {
   fs::permissions(path, fs::perms::owner_all);
 }
 
-/// Two stages read x.h5: `train` copies it, `score` counts its bytes. `verify` is content.
+/// Two stages read x.h5: `train` copies it, `score` counts its bytes. `verify` accepts everything.
 class TwoReaders : public testing::Test {
  protected:
   TwoReaders() {

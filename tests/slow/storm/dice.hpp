@@ -6,8 +6,8 @@
 
 namespace piae::storm {
 
-/// Random numbers that depend on a seed and on nothing else (splitmix64), so that input 73 of a
-/// storm is the same whatever came before it. A Stream of the product takes too long to make.
+/// Random numbers that depend on seed and index alone (splitmix64), so that input 73 of a storm
+/// never changes. A Stream of the product is too slow to construct.
 class Dice {
  public:
   Dice(std::uint64_t seed, std::uint64_t index) : state_(seed * 0x9E3779B97F4A7C15U + index) {
@@ -20,7 +20,7 @@ class Dice {
     z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
     return z ^ (z >> 31U);
   }
-  /// In {0, ..., bound - 1}; bound > 0.
+  /// Returns a number in {0, ..., bound - 1}; bound > 0.
   std::size_t below(std::size_t bound) { return static_cast<std::size_t>(next() % bound); }
   bool one_in(std::size_t n) { return below(n) == 0; }
 

@@ -21,7 +21,7 @@ inline void write_bytes(const std::filesystem::path& file, const std::string& by
   if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-/// When each file below a folder was written, by its name there.
+/// Write time of each file below a folder, by relative path.
 using Files = std::map<std::string, std::filesystem::file_time_type>;
 
 inline Files files_below(const std::filesystem::path& folder) {

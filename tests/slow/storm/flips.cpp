@@ -1,5 +1,5 @@
-// Turns one bit of an artefact at a time: verify and the stage that reads it refuse it, or do with
-// it exactly what they do with the good one.
+// Flips one bit of an artefact at a time: verify and the stage that reads it must refuse it, or
+// treat it exactly like the good artefact.
 
 #include <exception>
 #include <iostream>

@@ -1,8 +1,8 @@
-// Reads damaged inputs in this process, where the sanitizers see what a reader does: raw
-// recordings, descriptions, settings and artefacts, each changed at random, or changed in what it
-// says and with good digests. A child process reads them one by one and says so through a pipe.
-// Where it dies, or says nothing for 20 s, the fault is ours; except where it died inside HDF5 or
-// matio, whose faults the programs keep in processes of their own: then the programs are asked.
+// Reads damaged inputs in a child process under the sanitizers: raw recordings, descriptions,
+// settings and artefacts, with random changes, or with changed content and valid digests. The child
+// reports each result through a pipe. A crash or 20 s of silence is our fault, except for a crash
+// inside a library that reads files (HDF5, matio, sndfile). The programs isolate such crashes in
+// processes of their own, so the programs are run instead.
 
 #include <omp.h>
 #include <poll.h>
@@ -34,19 +34,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A file of the corpus.
+/// File of the corpus.
 struct Seed {
   std::string name;
   std::string bytes;
-  std::vector<Block> blocks;  ///< of an artefact
+  std::vector<Block> blocks;  ///< checksummed blocks of an artefact
 };
 
-/// One file that is altered, and who reads it.
+/// An altered file and its reader.
 struct Input {
   const Target* target = nullptr;
   fs::path file;
   const Seed* seed = nullptr;
-  const Seed* other = nullptr;  ///< of which bytes may be taken
+  const Seed* other = nullptr;  ///< source of inserted bytes
 };
 
 class Inputs {
@@ -70,10 +70,10 @@ class Inputs {
     }
   }
 
-  /// Which file input i is.
+  /// Chooses the file of an input.
   [[nodiscard]] Input choose(Dice& dice) const {
     Input input;
-    // Artefacts have most kinds, and take longest.
+    // Artefacts get three times the share, because they have most kinds and take longest.
     const std::size_t choice = dice.below(targets().size() + 2);
     input.target = &targets()[std::min(choice, targets().size() - 1)];
     const std::vector<Seed>& seeds = seeds_.at(input.target->name);
@@ -88,7 +88,7 @@ class Inputs {
     return choose(dice);
   }
 
-  /// Makes input i and leaves it in its file. Returns how it came about.
+  /// Writes input i into its file. Returns how it was changed.
   [[nodiscard]] std::string make(std::size_t i) const {
     Dice dice(seed_, i);
     const Input input = choose(dice);
@@ -103,11 +103,11 @@ class Inputs {
     return renewed ? "damaged, with good checksums" : "damaged";
   }
 
-  /// Puts the good file back: others are read beside it.
+  /// Restores the good file, because other inputs read files next to it.
   static void put_back(const Input& input) { write_bytes(input.file, input.seed->bytes); }
 
-  /// Every file of the corpus is read, or the storm would test nothing; but for those that are no
-  /// format of ours.
+  /// Requires the readers to accept the whole corpus, otherwise the storm tests nothing. Skips
+  /// files named refused-, whose formats are not ours.
   void require_good() const {
     for (const Target& target : targets()) {
       for (const fs::path& file : files_.at(target.name)) {
@@ -125,8 +125,7 @@ class Inputs {
   std::map<std::string, std::vector<fs::path>> files_;
 };
 
-/// What the child says of an input: one letter, and for what is not as promised the reason, in a
-/// file.
+/// Letter that the child reports for an input; for a miss, a file holds the reason.
 enum Said : char { refused = 'r', accepted = 'a', missed = 'm' };
 
 Said read(const Input& input, const fs::path& reason) {
@@ -155,27 +154,27 @@ bool took_too_much() {
 
 /// Paths of one run.
 struct Place {
-  fs::path reports;  ///< where the sanitizers write
-  fs::path words;    ///< how the last input came about; none while it is made
+  fs::path reports;  ///< folder of the sanitizers' reports
+  fs::path words;    ///< change of the last input; missing while the input is made
   fs::path reason;
 };
 
-/// The reports of the sanitizers.
+/// Returns the sanitizers' reports.
 std::string report_in(const fs::path& reports) {
   std::string text;
   for (const auto& entry : fs::directory_iterator(reports)) text += bytes_of(entry.path());
   return text;
 }
 
-/// The same, whose files are then removed.
+/// Returns the sanitizers' reports and removes their files.
 std::string take_report(const fs::path& reports) {
   std::string text = report_in(reports);
   for (const auto& entry : fs::directory_iterator(reports)) fs::remove(entry.path());
   return text;
 }
 
-/// Libraries believe a file's sizes, and are given no memory for them: of that there is a line. Our
-/// own readers believe none.
+/// True if the report holds failed allocations only, in a target that libraries read. Libraries
+/// trust the sizes in a file, but our own readers must not.
 bool only_lacks_memory(const std::string& report, const Target& target) {
   if (!target.by_libraries) return false;
   std::istringstream lines(report);
@@ -185,7 +184,7 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
   return true;
 }
 
-/// The child: reads inputs until there are no more, or until one has left a report.
+/// Runs the child: reads inputs until they end or one of them leaves a report.
 [[noreturn]] void be_the_child(const Inputs& inputs, const Place& place, std::size_t first,
                                std::size_t count, int to) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -200,14 +199,14 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
     }
     if (took_too_much()) ::_exit(3);
     if (::write(to, &said, 1) != 1) ::_exit(4);
-    if (said == missed) break;  // the reason stands in a file, and the bytes in theirs
+    if (said == missed) break;  // the reason and the altered bytes are in files
     Inputs::put_back(input);
   }
   ::_exit(0);
 }
 
-/// Whether the innermost function of a report that is not the sanitizers' or the system's is one of
-/// the libraries that read files.
+/// True if the innermost function of a report, apart from the sanitizers and the system, belongs to
+/// a library that reads files.
 bool died_in_libraries(const std::string& report) {
   std::istringstream lines(report);
   for (std::string line; std::getline(lines, line);) {
@@ -222,7 +221,7 @@ bool died_in_libraries(const std::string& report) {
       return false;
     }
   }
-  return report.empty();  // ended by a signal that leaves no report, as beyond the stack
+  return report.empty();  // a stack overflow leaves no report
 }
 
 class Storm {
@@ -271,11 +270,11 @@ class Storm {
                                     : "ended");
   }
 
-  /// Why the child says no more: it has reported one that was not treated as promised, died or come
-  /// to the end, or been silent for too long.
+  /// Reason for the child's silence: it reported a miss, ended or crashed, or was silent for too
+  /// long.
   enum class End { missed, ended, silence };
 
-  /// Takes the child's letters.
+  /// Counts the child's letters until it is silent.
   End listen(int from) {
     char letter = 0;
     for (;;) {
@@ -290,7 +289,7 @@ class Storm {
     }
   }
 
-  /// Of the input that is the next to be counted, whose bytes are still in its file.
+  /// Records a miss of the next input to be counted. Its file still holds the altered bytes.
   void miss(const std::string& what) {
     const Input input = inputs_.choose(tally_.done());
     tally_.keep_finding(
@@ -305,7 +304,7 @@ class Storm {
     const Input input = inputs_.choose(tally_.done());
     const bool in_libraries = input.target->by_libraries && died_in_libraries(report);
     const bool is_made = fs::exists(place_.words);
-    std::string what;  // nothing where it ended while it was made: no reader has seen it
+    std::string what;  // empty if it ended before any reader saw the input
     if (is_made) {
       what = in_libraries ? failure_of_programs(*input.target, input.file, asked_.programs)
                           : how + "\n" + report;
@@ -327,7 +326,7 @@ class Storm {
 }  // namespace
 
 int main(int argc, char** argv) {
-  omp_set_num_threads(1);  // a child that is forked has no more
+  omp_set_num_threads(1);  // OpenMP threads do not survive a fork
   try {
     return Storm(asked_by(argc, argv)).run();
   } catch (const std::exception& error) {

@@ -81,10 +81,10 @@ const std::array<std::string, 30> text{"",
                                        std::string(300, 'x'),
                                        std::string(60000, 'y')};
 
-/// An artefact that is open to be changed, and what is in it.
+/// An artefact that is open for changes, and its contents.
 struct Patient {
   hid_t file = -1;
-  std::vector<std::string> objects;  ///< with the root
+  std::vector<std::string> objects;  ///< including the root
   std::vector<std::string> datasets;
 };
 
@@ -112,7 +112,7 @@ Handle string_type(std::size_t length) {
   return type;
 }
 
-/// One value that a program may stumble over, of a type.
+/// A value that may cause an error, with its type.
 struct Value {
   Handle type;
   std::string bytes;
@@ -224,8 +224,8 @@ struct Content {
   std::string bytes;
 };
 
-/// Whether a dataset says that it is larger than any artefact of the storm, as it may after a first
-/// change.
+/// True if a dataset declares more bytes than any artefact of the storm has, as it may after a
+/// first change.
 bool claims_too_much(hid_t dataset) {
   constexpr double most_bytes = 1 << 28;
   const Handle type(H5Dget_type(dataset), "type");
@@ -249,7 +249,7 @@ Content content_of(const Patient& patient, const std::string& path) {
   return content;
 }
 
-/// Puts a dataset in the place of another, with its attributes.
+/// Replaces a dataset by another, and copies its attributes.
 void replace_dataset(const Patient& patient, const std::string& path, hid_t type, hid_t space,
                      hid_t creation, const std::string& bytes) {
   const std::string old = path + "-old";
@@ -299,7 +299,7 @@ std::string in_words(const std::vector<hsize_t>& extents) {
   return words;
 }
 
-/// As the product stores numbers: one chunk, with a checksum. Strings lie in a row.
+/// Returns the product's layout: one chunk with a checksum for numbers, contiguous for strings.
 Handle usual_layout(const std::vector<hsize_t>& extents, const Content& content) {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), "layout");
   if (H5Tget_class(content.type) == H5T_STRING || extents.empty()) return creation;
@@ -354,7 +354,7 @@ std::string change_type(const Patient& patient, const std::string& path, Dice& d
   return path + ": of another type";
 }
 
-/// What claims more than it holds, or keeps it elsewhere.
+/// Gives a dataset another layout: compressed, compact, in another file, or larger than its values.
 std::string change_layout(const Patient& patient, const std::string& path, Dice& dice) {
   const Content content = content_of(patient, path);
   std::vector<hsize_t> extents(content.shape.begin(), content.shape.end());
@@ -417,7 +417,8 @@ std::string change_values(const Patient& patient, const std::string& path, Dice&
   return path + (all ? ": all values are " : "[" + std::to_string(first) + "]: ") + value.words;
 }
 
-/// Two values of a dataset, or all in another order: each is possible, together they may not be.
+/// Copies one value of a dataset over another: each value is possible, but the combination may not
+/// be.
 std::string change_order(const Patient& patient, const std::string& path, Dice& dice) {
   Content content = content_of(patient, path);
   const std::size_t size = H5Tget_size(content.type);
@@ -517,11 +518,11 @@ std::string change_link(const Patient& patient, const std::vector<std::filesyste
 
 // ---- sizes --------------------------------------------------------------------------------------
 
-/// As many classes, those that are new like the last one.
+/// Sets the number of classes; new classes copy the last one.
 void change_classes(const Patient& patient, std::size_t count) {
   std::vector<std::string> names = hdf5::read_strings(patient.file, "/classes/name");
   std::vector<std::string> defects = hdf5::read_strings(patient.file, "/classes/defect");
-  // An earlier change may have left none to be like.
+  // An earlier change may have left no class to copy.
   if (names.empty() || defects.empty()) return;
   const std::size_t before = names.size();
   while (names.size() < count) names.push_back("class" + std::to_string(names.size()));
@@ -540,7 +541,7 @@ void change_classes(const Patient& patient, std::size_t count) {
   }
 }
 
-/// Numbers of which each can be. What they take together may have no end.
+/// Sets numbers that are possible one by one, but may exceed all limits together.
 std::string change_sizes(const Patient& patient, Dice& dice) {
   static constexpr std::array<double, 4> rates{1, 1000, 12000, 1e7};
   static constexpr std::array<std::int64_t, 3> all_balls{9, 100, 1000};
@@ -567,8 +568,8 @@ bool one_claims_too_much(hid_t file) {
   });
 }
 
-/// Not where a dataset claims so much that reading it would end this process: whether the digest is
-/// good no reader may get to see.
+/// Renews the digests, unless a dataset declares so much that reading it would end this process: no
+/// reader may reach such a digest.
 void renew_digests(hid_t file) {
   try {
     if (one_claims_too_much(file)) return;
@@ -577,7 +578,7 @@ void renew_digests(hid_t file) {
                               digests.provenance);
     stages::replace_attribute(file, "/", artefact::digest_attribute, digests.content);
   } catch (const std::exception&) {
-    // Where the product's own digest refuses the file, its readers must, too.
+    // If the product's own digest refuses the file, its readers must refuse it, too.
   }
 }
 
@@ -597,7 +598,7 @@ std::string change_meaning(const std::filesystem::path& file,
                                                   : what < 7 ? change_sizes(patient, dice)
                                                              : change_link(patient, others, dice));
     } catch (const std::exception& error) {
-      // A second change may meet what the first has removed, and HDF5 itself may refuse one.
+      // A second change may need what the first one removed, and HDF5 may refuse a change.
       changes += (changes.empty() ? "" : "; ") + std::string("could not: ") + error.what();
     }
   }

@@ -8,9 +8,9 @@
 
 namespace piae::storm {
 
-/// Changes what an artefact says, once or twice: an attribute, a dataset, a link, a type, a shape,
-/// a name; and makes its digests right again, as no stage would. Pieces may come from one of
-/// `others`. Returns what was changed, in words.
+/// Changes the content of an artefact once or twice: an attribute, a dataset, a link, a type, a
+/// shape or a name. Then renews its digests, as no stage would. May copy parts from one of
+/// `others`. Returns a description of the changes.
 std::string change_meaning(const std::filesystem::path& file,
                            const std::vector<std::filesystem::path>& others, Dice& dice);
 

@@ -1,5 +1,5 @@
-// Changes what an artefact says and makes its digests right again: verify and the stage that reads
-// it refuse it as documented, or both do without.
+// Changes the content of an artefact and renews its digests: verify and the stage that reads it
+// must refuse it as documented or accept it.
 
 #include <exception>
 #include <iostream>

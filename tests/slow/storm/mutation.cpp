@@ -11,7 +11,7 @@ namespace piae::storm {
 
 namespace {
 
-/// Numbers at the edges of what types and sums can hold.
+/// Limits of number types and of their sums.
 constexpr std::array<std::uint64_t, 22> edges{0,
                                               1,
                                               2,
@@ -35,7 +35,7 @@ constexpr std::array<std::uint64_t, 22> edges{0,
                                               0x8000000000000000,
                                               0xFFFFFFFFFFFFFFFF};
 
-/// What text is made of, and what it should not have.
+/// Parts of text, and parts that text should not have.
 constexpr std::array<std::string_view, 26> words{"-1",
                                                  "0",
                                                  "nan",
@@ -77,7 +77,7 @@ void write_edge(std::string& bytes, std::size_t at, Dice& dice) {
   write_number(bytes, at, number, dice.one_of(widths), dice.one_in(4));
 }
 
-/// Some places are close to each other, as the fields of a header are.
+/// Returns the length of a piece: mostly short, because fields of a header are close to each other.
 std::size_t length_of_piece(std::size_t size, Dice& dice) {
   const std::size_t longest = dice.one_in(4) ? size : std::min<std::size_t>(size, 64);
   return 1 + dice.below(longest);
@@ -88,7 +88,7 @@ void change(std::string& bytes, const std::string& other, Dice& dice) {
     bytes = other.substr(0, 1 + dice.below(64));
     return;
   }
-  // Headers are where the harm is: half of the changes fall into the first half kilobyte.
+  // Changes in headers do most harm, so at least half of them are in the first 512 bytes.
   const std::size_t range =
       dice.one_in(2) ? bytes.size() : std::min<std::size_t>(bytes.size(), 512);
   const std::size_t at = dice.below(range);
@@ -128,8 +128,7 @@ void change(std::string& bytes, const std::string& other, Dice& dice) {
   }
 }
 
-// ---- HDF5's checksum: Bob Jenkins's lookup3, "hashlittle" with an initial value of 0
-// --------------
+// ---- HDF5's checksum: Bob Jenkins's lookup3, "hashlittle" with an initial value of 0 ----
 
 std::uint32_t rotated(std::uint32_t x, unsigned bits) { return (x << bits) | (x >> (32U - bits)); }
 
@@ -169,7 +168,7 @@ std::uint32_t lookup3(const char* bytes, std::size_t length) {
   return (c ^ b) - rotated(b, 24);
 }
 
-/// The block that begins here: its length is that at which the checksum fits.
+/// Returns the block that starts here: it ends where the checksum matches.
 std::optional<Block> block_at(const std::string& bytes, std::size_t at) {
   constexpr std::size_t longest = 4096;
   for (std::size_t size = 8; size <= longest && at + size + 4 <= bytes.size(); ++size) {

@@ -7,24 +7,23 @@
 
 namespace piae::storm {
 
-/// A copy with one to four changes: bits turned, bytes and numbers replaced by those that programs
-/// stumble over, runs of one byte, pieces left out, doubled, moved, or taken from `other`, and the
-/// end cut off.
+/// Returns a copy with one to four changes: flipped bits, replaced bytes, limits of number types,
+/// runs of one byte, pieces removed, doubled, moved or taken from `other`, or a missing end.
 std::string mutated(const std::string& good, const std::string& other, Dice& dice);
 
 /// A block of an HDF5 file that ends with its checksum.
 struct Block {
   std::size_t at = 0;
-  std::size_t size = 0;  ///< without the checksum's four bytes
+  std::size_t size = 0;  ///< without the four bytes of the checksum
 };
 
-/// The checksummed blocks of a good HDF5 file of version 1.10's format.
+/// Returns the checksummed blocks of a good HDF5 file in the format of version 1.10.
 std::vector<Block> checksummed_blocks(const std::string& good);
 
-/// Makes the checksums of these blocks right again, as somebody who means harm would.
+/// Renews the checksums of these blocks, as an attacker would.
 void renew_checksums(std::string& bytes, const std::vector<Block>& blocks);
 
-/// A copy of which bytes inside the blocks alone are changed, with good checksums.
+/// Returns a copy with changes inside the blocks only, with valid checksums.
 std::string mutated_with_checksums(const std::string& good, const std::vector<Block>& blocks,
                                    Dice& dice);
 

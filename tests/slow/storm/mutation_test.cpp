@@ -43,7 +43,7 @@ TEST(Checksums, AreFoundAndMadeRightAgain) {
   const Folder folder;
   const std::string good = artefact_in(folder);
   const std::vector<Block> blocks = checksummed_blocks(good);
-  // The superblock, the root, its provenance and the dataset, at least.
+  // At least the superblock, the root, its provenance and the dataset.
   EXPECT_GE(blocks.size(), 4U);
   EXPECT_EQ(blocks.front().at, 0U);
   std::string bytes = good;

@@ -25,7 +25,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// What was written, as far as a person would read it.
+/// Returns the first 100 kB that were written.
 std::string text_in(std::FILE* file) {
   constexpr std::size_t most = 100000;
   std::string text(most, '\0');
@@ -48,7 +48,7 @@ std::string text_in(std::FILE* file) {
   ::_exit(127);
 }
 
-/// Whether the process ends within the limit.
+/// True if the process ends within the limit.
 bool ends_in_time(pid_t pid) {
   const int fd = static_cast<int>(::syscall(SYS_pidfd_open, pid, 0));
   if (fd < 0) throw std::runtime_error("pidfd_open failed");
@@ -71,7 +71,7 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& command) {
   ::setpgid(pid, pid);
   Outcome outcome;
   outcome.hung = !ends_in_time(pid);
-  // What it has left running must not outlive it either.
+  // Kills the program's children, too.
   ::kill(-pid, SIGKILL);
   int status = 0;
   rusage used{};

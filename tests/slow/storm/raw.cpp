@@ -1,4 +1,4 @@
-// Writes small recordings in the binary formats of MATLAB, HDF5 and TDMS into mat/, hdf5/ and tdms/
+// Writes small recordings in binary formats of MATLAB, HDF5 and TDMS into mat/, hdf5/ and tdms/
 // below a folder.
 
 #include <hdf5.h>
@@ -43,7 +43,7 @@ void write_variable(mat_t* file, const char* name, matio_classes kind, matio_typ
   }
 }
 
-/// What stands beside the signals in real files: text, and numbers in a structure.
+/// Writes what real files hold in addition to signals: text and numbers in a structure.
 void write_structure(mat_t* file, matio_compression compression) {
   std::array<std::size_t, 2> one{1, 1};
   std::array<const char*, 2> fields{"rpm", "note"};
@@ -102,7 +102,7 @@ void write_hdf5(const fs::path& path, bool new_format, bool compressed) {
   H5Pclose(access);
 }
 
-/// Two segments with a scaled channel of 16 bits and one of double precision.
+/// Writes two segments with a scaled 16-bit channel and a channel in double precision.
 void write_tdms(const fs::path& path, bool is_big, std::uint32_t layout, std::uint64_t size) {
   const piae::tdms::Writer write(is_big);
   const std::vector<std::string> objects{

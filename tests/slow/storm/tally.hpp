@@ -7,20 +7,20 @@
 
 namespace piae::storm {
 
-/// How a storm's part is asked for: PROGRAM CORPUS FOLDER COUNT SEED [BIN].
+/// Arguments of a part of the storm: PROGRAM CORPUS FOLDER COUNT SEED BIN.
 struct Asked {
   std::filesystem::path corpus;
-  std::filesystem::path folder;  ///< of this run alone: its state and what it found
+  std::filesystem::path folder;  ///< state and findings of this run
   std::size_t count = 0;
   std::size_t seed = 0;
   std::filesystem::path programs;
 };
 
-/// Throws std::runtime_error with the usage.
+/// Reads the arguments. Throws std::runtime_error with the usage.
 Asked asked_by(int argc, char** argv);
 
-/// Counts what came of each input, and keeps the count in the folder, so that a storm that was cut
-/// goes on where it was.
+/// Counts the result of each input and stores the counts in the folder, so that an interrupted
+/// storm continues.
 class Tally {
  public:
   Tally(std::string part, const Asked& asked);
@@ -29,9 +29,9 @@ class Tally {
   [[nodiscard]] bool finished() const { return done_ >= count_; }
 
   enum class Result { refused, accepted, missed };
-  /// One more is done. Now and then the count is kept, and a line says how long the rest will take.
+  /// Counts one more input. Stores the counts every second and prints the time left every 20 s.
   void add(Result result);
-  /// Keeps the bytes of an input that was not treated as promised, and what happened.
+  /// Stores the bytes of a missed input with a description.
   void keep_finding(const std::string& name, const std::string& bytes, const std::string& what);
   /// Prints the last line, "PART: 10000 done, 9000 refused, 1000 accepted, 0 missed"; returns the
   /// exit code.
@@ -47,7 +47,7 @@ class Tally {
   std::size_t refused_ = 0;
   std::size_t accepted_ = 0;
   std::size_t missed_ = 0;
-  std::size_t done_before_ = 0;  ///< by an earlier run
+  std::size_t done_before_ = 0;  ///< inputs of earlier runs
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point kept_ = started_;
   std::chrono::steady_clock::time_point told_ = started_;

@@ -65,7 +65,7 @@ void read_protocol(const fs::path& file) {
   (void)settings::base_of_readings(protocol);
 }
 
-/// The published accuracies are three files; the others are good.
+/// Reads the published accuracies: three files, of which the other two are good.
 void read_published(const fs::path& file) { (void)report::Published(file.parent_path()); }
 
 bool is_model(const fs::path& file) {
@@ -79,7 +79,7 @@ bool is_classifier(const fs::path& file) {
 constexpr double recorded_hz = 12000;
 constexpr double recorded_rpm = 1797;
 
-/// Two windows that look like nothing.
+/// Returns two windows that resemble no class.
 std::vector<double> recorded_samples() {
   std::vector<double> samples;
   samples.reserve(2048);
@@ -87,7 +87,7 @@ std::vector<double> recorded_samples() {
   return samples;
 }
 
-/// Has a classifier name the windows of a recording, as classify does.
+/// Classifies the windows of a recording as `classify` does.
 void ask_classifier(const fs::path& file) {
   diagnosis::KeptClassifier kept(artefact::Reader(file, "classifier"));
   diagnosis::require_fitting_signal(kept.info(), recorded_hz, recorded_rpm, file.string());
@@ -98,7 +98,8 @@ void ask_classifier(const fs::path& file) {
   (void)classification::judge(recording, kept, kept.length());
 }
 
-/// With a model verify makes windows, too, and a classifier is asked about some.
+/// Verifies an artefact. For a model `verify` also generates windows; a classifier also gets some
+/// to classify.
 void read_artefact(const fs::path& file) {
   const std::vector<verification::Finding> findings = verification::verify({file});
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
@@ -128,7 +129,8 @@ std::string description_of(const std::string& file, const std::string& variable)
          file + "\"\nvariable = \"" + variable + "\"\nsample_rate_hz = 12000\n";
 }
 
-/// Why a program did not accept or refuse a file as promised; verify has exit codes of its own.
+/// Returns why a program's outcome breaks a promise; "" if it does not. `verify` has exit codes of
+/// its own.
 std::string failure_of(const Outcome& outcome, const std::string& name, bool is_verify) {
   const std::string said = ": " + outcome.out + outcome.err;
   const std::string status = std::to_string(outcome.status);
@@ -155,7 +157,7 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
     if (failure.empty() && is_classifier(file)) {
       std::string recording;
       for (const double sample : recorded_samples()) recording += std::to_string(sample) + '\n';
-      const std::string file_name = name + ".csv";  // so that it names the classifier, too
+      const std::string file_name = name + ".csv";  // also holds the classifier's name
       write_bytes(folder / file_name, recording);
       const Outcome named =
           run(folder, {program("classify"), "--classifier", name, "--recording", file_name,

@@ -32,7 +32,7 @@ std::vector<float> first_moments(const LatentBackend& backend, const std::string
 
 class DenseLatentsBesideLibtorch : public testing::TestWithParam<Case> {};
 
-// Moments are sums of gradients. The last batch is smaller than the others.
+// Adam's moments are sums of gradients. The last batch is smaller than the others.
 TEST_P(DenseLatentsBesideLibtorch, StepAsLibtorchDoes) {
   const LatentTask task = example_task(50, 3, 7, 24);
   const auto mine = GetParam().native(task);
@@ -55,7 +55,7 @@ TEST_P(DenseLatentsBesideLibtorch, StepAsLibtorchDoes) {
     EXPECT_TRUE(std::ranges::any_of(expected, [](float x) { return x != 0; })) << adam;
     EXPECT_LT(relative_difference(first_moments(*mine, adam), expected), 1e-4) << adam;
   }
-  EXPECT_EQ(my_noise.uniform(0, 1), their_noise.uniform(0, 1));  // both drew equally many numbers
+  EXPECT_EQ(my_noise.uniform(0, 1), their_noise.uniform(0, 1));  // same number of draws
 }
 
 const WganGpOptions two_critic_steps{.critic_steps = 2};

@@ -40,7 +40,7 @@ inline Batch example_batch(Stream& stream, std::int64_t n, std::int64_t samples,
 }
 
 /// Returns the largest difference between autograd and central differences over the parameters that
-/// begin with the prefix, relative to the largest gradient.
+/// start with the prefix, relative to the largest gradient.
 inline double gradient_error(const ParameterSet& parameters, const std::string& prefix,
                              const std::function<torch::Tensor()>& loss) {
   std::vector<torch::Tensor> exact;

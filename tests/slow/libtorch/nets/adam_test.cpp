@@ -11,7 +11,7 @@
 namespace piae::libtorch {
 namespace {
 
-// Algorithm 1 of Kingma and Ba, written out for one parameter, beta 0.9 and 0.999.
+// Follows Algorithm 1 of Kingma and Ba for one parameter, with beta 0.9 and 0.999.
 TEST(Adam, TakesTheThreeStepsWorkedByHand) {
   const torch::Tensor values = torch::full({1}, 1.0, torch::kFloat64);
   const torch::Tensor gradients = torch::zeros({1}, torch::kFloat64);

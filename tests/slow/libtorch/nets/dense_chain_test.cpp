@@ -1,4 +1,4 @@
-// Compares our chain with the same chain by LibTorch's autograd, in double precision.
+// Compares our chain with LibTorch's autograd in double precision.
 
 #include "nets/dense_chain.hpp"
 
@@ -23,7 +23,7 @@ using nets::AdamStep;
 using nets::ParameterSpec;
 using nets::Rows;
 
-constexpr std::int64_t inputs = 21;  // not a whole vector
+constexpr std::int64_t inputs = 21;  // not a multiple of the vector width
 constexpr std::int64_t outputs = 19;
 constexpr double tolerance = 1e-12;
 
@@ -38,7 +38,7 @@ torch::Tensor random_tensor(const std::string& name, std::int64_t rows, std::int
   return torch::tensor(values, torch::kFloat64).view({rows, columns});
 }
 
-/// Copies into rows from `first` on.
+/// Copies into the rows from `first` on.
 void put(const torch::Tensor& from, Rows<double> to, std::int64_t first = 0) {
   for (std::int64_t i = 0; i < from.size(0); ++i) {
     for (std::int64_t j = 0; j < from.size(1); ++j) {
@@ -59,7 +59,7 @@ double difference(const torch::Tensor& a, const torch::Tensor& b) {
   return (a - b).abs().max().item<double>() / b.abs().max().item<double>();
 }
 
-/// One chain by both implementations, with the same parameters.
+/// One chain in both implementations, with the same parameters.
 struct Both {
   explicit Both(int depth = 3, std::int64_t rows = 30)
       : specs(example_specs(depth)),
@@ -67,7 +67,7 @@ struct Both {
         flat(std::make_shared<nets::Parameters<double>>(specs, Stream("initial"))),
         chain(flat, "net", rows) {}
 
-  /// Returns the largest number in the padding of the rows of values and moments.
+  /// Returns the largest number in the padding of values and moments.
   double largest_filling() {
     double largest = 0;
     for (const Kept kept : {Kept::value, Kept::first_moment, Kept::second_moment}) {
@@ -83,7 +83,7 @@ struct Both {
     return largest;
   }
 
-  /// Adam's first moment after its first step is a tenth of the gradient.
+  /// Returns our gradient: ten times Adam's first moment after its first step.
   torch::Tensor gradient(const Chain::Summed& rows, double scale = 1) {
     chain.take(AdamStep(1, 1e-3), scale, rows);
     std::vector<double> all;
@@ -134,7 +134,7 @@ TEST_P(DenseChains, GiveWhatLibtorchGivesForwardAndBackward) {
   EXPECT_LT(difference(both.gradient({rows, rows}, 0.5), 0.5 * expected), tolerance);
 }
 
-// Fewer rows than a block of the kernels, one whole block, and several.
+// Tests fewer rows than a block of the kernels, one whole block, and several.
 INSTANTIATE_TEST_SUITE_P(Nets, DenseChains,
                          testing::Combine(testing::Values(1, 2, 3, 4),
                                           testing::Values(1, 2, 3, 4, 5, 6, 7, 12, 23)));
@@ -157,7 +157,7 @@ TEST(DenseChain, PropagatesTwoSignalsOfOneBatchAtOnce) {
             tolerance);
 }
 
-// A function of the gradient by the input, like a gradient penalty: half of its square, summed.
+// Uses half the sum of the squared input gradient, similar to a gradient penalty.
 TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
   constexpr std::int64_t rows = 4;
   for (const int depth : {1, 2, 3, 4}) {
@@ -168,7 +168,7 @@ TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
     both.chain.forward(rows);
     put(slope, both.chain.output_gradient());
     const torch::Tensor by_x = tensor_of(both.chain.backward(rows, 1, {0, rows}), rows, inputs);
-    put(by_x, both.chain.input());  // the derivative of the half square
+    put(by_x, both.chain.input());  // derivative of half the square
     both.chain.forward_derivative(0, rows);
 
     const torch::Tensor y = run_dense_chain(both.set, "net", x);
@@ -188,8 +188,7 @@ TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
   }
 }
 
-// adam_test.cpp tests Adam itself; this test checks that padded rows of a weight take the same
-// steps.
+// Checks that padded rows of a weight take the same steps; adam_test.cpp tests Adam itself.
 TEST(DenseChain, TakesTheStepsOfAdam) {
   Both both;
   const torch::Tensor x = random_tensor("x", 5, inputs);

@@ -68,7 +68,7 @@ TEST_P(Coders, DecodeEveryPartOfTheirInput) {
   EXPECT_TRUE(differs(one, labels().narrow(0, 1, 1)));
 }
 
-/// Each window is coded by itself; the others of a batch change nothing.
+/// Checks that the other windows of a batch do not affect a window's code.
 TEST_P(Coders, TreatTheWindowsOfABatchApart) {
   const torch::Tensor all = networks_.encode(parameters_, x_);
   const torch::Tensor one = networks_.encode(parameters_, x_.narrow(0, 1, 1));
@@ -79,7 +79,7 @@ TEST_P(Coders, TreatTheWindowsOfABatchApart) {
 }
 
 /// Compares L_Rec's gradient, through decoder, softplus and encoder, with central differences at a
-/// few entries of every parameter.
+/// few entries of each parameter.
 TEST_P(Coders, GradientsOfTheReconstructionLossEqualFiniteDifferences) {
   constexpr double step = 1e-5;
   parameters_.zero_gradients();
@@ -121,8 +121,8 @@ std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs)
   return names;
 }
 
-/// Parts that Models 2, 4 and 5 and those of the outlook do not replace must have the same names,
-/// shapes and initial values.
+/// Checks that parts not replaced by Models 2, 4, 5 and the outlook models keep their names, shapes
+/// and initial values.
 TEST(TwinVariants, DifferInTheirPartAlone) {
   const twin::NetworkShape shape{64, 3};
   const Networks full(twin::full_model, shape, small_options(3));
@@ -140,8 +140,8 @@ TEST(TwinVariants, DifferInTheirPartAlone) {
   }
 }
 
-/// A hand-worked GRU of one unit (Cho et al. 2014, in LibTorch's form). With all state weights 0: r
-/// = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
+/// Compares a GRU of one unit with a hand calculation (Cho et al. 2014, in LibTorch's form). With
+/// all state weights 0: r = s(w_r x), z = s(w_z x), n = tanh(w_n x), h' = (1 - z) n + z h.
 TEST(RecurrentCoder, ReadsItsFramesInTurn) {
   const Networks networks(twin::recurrent_model, {64, 2}, small_options(2));
   ParameterSet parameters(networks.specs(), Stream("gru"), torch::kFloat64);
@@ -152,9 +152,9 @@ TEST(RecurrentCoder, ReadsItsFramesInTurn) {
       parameters[name].detach()[row][0] = value;
     };
     set("net/encoder/gru0/input_weight", twin::RecurrentCoder::units,
-        0.5);  // the gate z of unit 0, from sample 0
-    set("net/encoder/gru0/input_weight", 2 * twin::RecurrentCoder::units, 1.0);  // its candidate n
-    set("net/encoder/dense/weight", 0, 1.0);  // k is its last state
+        0.5);  // gate z of unit 0, from sample 0
+    set("net/encoder/gru0/input_weight", 2 * twin::RecurrentCoder::units, 1.0);  // candidate n
+    set("net/encoder/dense/weight", 0, 1.0);  // k is the last state
   }
   torch::Tensor x = torch::zeros({1, 64}, torch::kFloat64);
   x[0][0] = 0.8;
@@ -165,8 +165,8 @@ TEST(RecurrentCoder, ReadsItsFramesInTurn) {
   EXPECT_NEAR(networks.encode(parameters, x)[0][0].item<double>(), std::log1p(std::exp(h)), 1e-12);
 }
 
-/// One channel has a kernel of ones at the first position. The output is its value over the samples
-/// that the kernel covers, -2 .. 5 about position 0, cut to the window.
+/// Gives one channel a kernel of ones and a value at the first position only. The output is the
+/// value at the samples under the kernel, -2 .. 5 about position 0, cut to the window.
 TEST(ConvolutionalCoder, SpreadsAPositionOverItsKernel) {
   const Networks networks(twin::convolutional_model, {16, 2}, small_options(2));
   ParameterSet parameters(networks.specs(), Stream("conv"), torch::kFloat64);

@@ -1,4 +1,4 @@
-// Compares our losses and gradients with LibTorch's, in double precision. losses_test.cpp compares
+// Compares our losses and gradients with LibTorch's in double precision. losses_test.cpp compares
 // LibTorch's with finite differences.
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ torch::Tensor gradient(const torch::Tensor& loss, const torch::Tensor& by) {
 TEST(BatchMmdBesideLibtorch, IsLibtorchsWithItsGradients) {
   const Array x = random_array("x", 3, 17);
   const Array y = random_array("y", 5, 17, 1.5);
-  Array by_x = Array::Ones(3, 17);  // a sum to be added to
+  Array by_x = Array::Ones(3, 17);  // add_batch_mmd adds to this
   Array by_y = Array::Zero(5, 17);
   const double value = twin::add_batch_mmd<double>(x, y, &by_x, by_y);
   const torch::Tensor tx = tensor_of(x);
@@ -85,7 +85,7 @@ TEST_P(TwinLossesBesideLibtorch, DifferentialIsLibtorchs) {
   }
 }
 
-/// `contacts` are those of two classes. Displacements are so large that balls lift off in some
+/// Takes the contacts of two classes. Displacements are so large that balls lift off in some
 /// samples.
 void expect_twin_loss_of_libtorch(const std::vector<twin::Contact>& contacts,
                                   const twin::LossReading& reading) {

@@ -77,7 +77,8 @@ TEST(ReconstructionLoss, GradientEqualsFiniteDifferences) {
 }
 
 TEST(DifferentialLoss, VanishesForAMotionThatDiffersByDiscretisationOnly) {
-  // u = -cos(w t)/w^2, v = sin(w t)/w, a = cos(w t): the differences err by (w h)^2 / 12 and / 6.
+  // u = -cos(w t)/w^2, v = sin(w t)/w, a = cos(w t). The differences have errors (w h)^2 / 12 and
+  // / 6.
   const double step = 0.01;
   const double omega = 2.0;
   const torch::Tensor t = torch::arange(0, 64, torch::kFloat64) * step;
@@ -116,7 +117,7 @@ TEST(DifferentialLoss, GradientsEqualFiniteDifferences) {
 }
 
 TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
-  // Without contact eq. 13 about its equilibrium is a + d c v + k u = 0, solved by exp(-b t) cos(w
+  // Without contact, eq. 13 about its equilibrium is a + d c v + k u = 0. Solution: exp(-b t) cos(w
   // t).
   twin::Physics physics = example_physics();
   physics.contact_n_per_m15 = 0;
@@ -183,7 +184,7 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
   EXPECT_TRUE(torch::autograd::grad({loss}, {k_and_c})[0].isfinite().all().item<bool>());
 }
 
-/// A softplus may be exactly 0 in single precision.
+/// A softplus may underflow to 0 in single precision.
 TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
   const twin::Physics physics = example_physics();
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat32);

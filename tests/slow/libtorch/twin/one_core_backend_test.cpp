@@ -1,4 +1,4 @@
-// Compares whole steps of our back end with LibTorch's, from the same parameters.
+// Compares whole steps of our back end with LibTorch's from the same parameters.
 
 #include "twin/one_core_backend.hpp"
 
@@ -13,7 +13,7 @@
 namespace piae::twin {
 namespace {
 
-/// Returns the gradient of the only step taken: ten times Adam's first moment.
+/// Returns the gradient of the first and only step: ten times Adam's first moment.
 std::vector<float> gradient_of(const TwinBackend& backend, const std::string& group) {
   return piae::first_moments([&](artefact::Writer& writer) { backend.write_adam(writer, "/adam"); },
                              "/adam/" + group);
@@ -23,8 +23,8 @@ constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 2e-2};
 
 class TwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
 
-// The test uses single precision. LibTorch computes the distances of eq. 21's MMD from products,
-// which leaves five digits.
+// Uses single precision. LibTorch computes the distances of eq. 21's MMD from products, which
+// leaves five digits.
 TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   const TwinTask task = task_of(GetParam());
   const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
@@ -46,8 +46,9 @@ TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   }
 }
 
-// Adam divides by the root of its second moment, so the last digits of a gradient near zero move a
-// weight as much as a large gradient does. Three steps leave fewer digits than one.
+// Tolerances are wide: Adam divides by the root of its second moment, so rounding of a gradient
+// near zero moves a weight as much as a large gradient does. Three steps leave fewer digits than
+// one step.
 TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
   // Other coders have at least two layers.

@@ -1,5 +1,5 @@
-// Compares encoders and decoders with sequence layers by our own kernels with LibTorch's, with the
-// same parameters.
+// Compares encoders and decoders with sequence layers in our kernels and in LibTorch, with the same
+// parameters.
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ double distance(const torch::Tensor& a, const torch::Tensor& b) {
   return (a - b).abs().max().item<double>() / b.abs().max().item<double>();
 }
 
-/// One network of a coder, by both implementations.
+/// One network of a coder in both implementations.
 template <class T, class Mine, class Theirs>
 struct BothCoders {
   BothCoders(int depth, bool is_encoder, std::int64_t most_rows)
@@ -102,8 +102,8 @@ struct BothCoders {
   std::unique_ptr<nets::Network<T>> network;
 };
 
-/// Compares outputs, gradients by the input of the second of two signals, those of the parameters
-/// by the first, and their norm.
+/// Compares outputs, input gradients of the second of two signals, and parameter gradients of the
+/// first signal with their norm.
 template <class T, class Mine, class Theirs>
 void expect_the_same_gradients(int depth, bool encodes, double tolerance) {
   using Kept = typename nets::Parameters<T>::Kept;
@@ -134,7 +134,7 @@ void expect_the_same_gradients(int depth, bool encodes, double tolerance) {
   EXPECT_LT(distance(20 * both.kept(Kept::first_moment), expected), tolerance);
 }
 
-/// Takes ten steps of Adam towards random outputs.
+/// Takes ten steps of Adam towards random outputs in both implementations.
 template <class T, class Mine, class Theirs>
 void expect_the_same_steps(bool encodes, double tolerance) {
   using Kept = typename nets::Parameters<T>::Kept;
@@ -166,7 +166,7 @@ void expect_the_same() {
       expect_the_same_gradients<float, Mine, Theirs>(depth, encodes, 1e-5);
     }
     expect_the_same_steps<double, Mine, Theirs>(encodes, 1e-10);
-    // Adam divides by the root of its second moment: the last digits of a gradient near zero move a
+    // Adam divides by the root of its second moment, so rounding of a gradient near zero moves a
     // weight as much as a large gradient does.
     expect_the_same_steps<float, Mine, Theirs>(encodes, 1e-3);
   }

@@ -102,7 +102,7 @@ TEST(WdcnnNetwork, ForwardPassEqualsPlainLoops) {
   perturb_normalisation(network);
   const torch::Tensor windows = random_windows(3);
   expect_equal(by_plain_loops(network, windows, false), network.forward(windows, Mode::training));
-  // The pass above has moved the running statistics away from 0 and 1.
+  // The pass above moved the running statistics away from 0 and 1.
   expect_equal(by_plain_loops(network, windows, true), network.forward(windows, Mode::evaluation));
 }
 

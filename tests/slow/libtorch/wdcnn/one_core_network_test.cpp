@@ -1,4 +1,4 @@
-// Compares our network for one core with LibTorch's, in single and in double precision.
+// Compares our network for one core with LibTorch's in single and double precision.
 
 #include <gtest/gtest.h>
 #include <torch/optim/adam.h>
@@ -23,7 +23,7 @@ constexpr double learning_rate = 1e-3;
 template <class T>
 constexpr torch::Dtype dtype = std::is_same_v<T, float> ? torch::kFloat32 : torch::kFloat64;
 
-/// Relative to the largest number compared.
+/// Tolerance relative to the largest compared number.
 template <class T>
 constexpr double tolerance = std::is_same_v<T, float> ? 1e-5 : 1e-12;
 
@@ -193,8 +193,8 @@ TYPED_TEST(OneCoreNetworkOf, OneUpdateEqualsLibtorchs) {
   BatchOutcome outcome;
   pair.propagate(batch, outcome);
   pair.step();
-  // Adam's first step is the gradient's sign. If the gradient is 0, rounding decides the sign, so
-  // one in 1000 of those may differ.
+  // Adam's first step is the gradient's sign. For gradients of 0, rounding decides the sign, so up
+  // to one in 1000 of those may differ.
   for (const WdcnnParameter& parameter : pair.mine.layout()) {
     const auto ours = unfolded<TypeParam>(parameter, pair.mine.values());
     const auto gradient = numbers<TypeParam>(pair.theirs.parameters()[parameter.spec.name].grad());

@@ -29,7 +29,7 @@ TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
   }
 }
 
-/// The step is too small to learn anything, so the networks stay equal and rounding does not grow.
+/// Uses steps too small for learning, so the networks stay equal and rounding does not grow.
 TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
   const LabelledWindows test = tones(40, "test");
   WdcnnOptions options = short_training(1);
@@ -49,7 +49,8 @@ TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
   expect_near(one_core.logits, theirs.logits);
 }
 
-// Our own network for one core must give the same outputs with weights that LibTorch learned.
+// Checks that our network for one core gives the same outputs with weights learned by either back
+// end.
 TEST(WdcnnBackends, HandOverTheirWeights) {
   const LabelledWindows test = tones(20, "test");
   for (const MakeWdcnnBackend& backend :
