@@ -77,8 +77,7 @@ TEST(ReconstructionLoss, GradientEqualsFiniteDifferences) {
 }
 
 TEST(DifferentialLoss, VanishesForAMotionThatDiffersByDiscretisationOnly) {
-  // u = -cos(w t)/w^2, v = sin(w t)/w, a = cos(w t). The differences have errors (w h)^2 / 12 and
-  // / 6.
+  // u = -cos(w t)/w^2, v = sin(w t)/w, a = cos(w t). Difference errors: (w h)^2 / 12 and / 6.
   const double step = 0.01;
   const double omega = 2.0;
   const torch::Tensor t = torch::arange(0, 64, torch::kFloat64) * step;
@@ -117,8 +116,7 @@ TEST(DifferentialLoss, GradientsEqualFiniteDifferences) {
 }
 
 TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
-  // Without contact, eq. 13 about its equilibrium is a + d c v + k u = 0. Solution: exp(-b t) cos(w
-  // t).
+  // Eq. 13 without contact about equilibrium: a + d c v + k u = 0, so u = exp(-b t) cos(w t).
   twin::Physics physics = example_physics();
   physics.contact_n_per_m15 = 0;
   const double k = 3.2;
