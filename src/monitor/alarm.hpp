@@ -26,11 +26,12 @@ enum class AlarmState { off, raised, on, cleared };
 const char* to_string(AlarmState state);
 
 /// Page's CUSUM test of a share (Page 1954; Reynolds and Stoumbos 1999 for a Bernoulli variable). A
-/// window that looks faulty with probability x adds
+/// window that looks faulty with probability x adds this evidence, with p0 = healthy_share and p1 =
+/// faulty_share:
 ///     x log(p1 / p0) + (1 - x) log((1 - p1) / (1 - p0))
-/// to the evidence, where p0 is healthy_share and p1 faulty_share. The evidence stays between 0 and
-/// a threshold h. The alarm is raised at h and cleared when the evidence has returned to 0. The two
-/// levels keep noise near one threshold from switching the alarm on and off.
+/// The evidence stays between 0 and a threshold h. The alarm is raised at h and cleared when the
+/// evidence has returned to 0. The two levels keep noise near one threshold from switching the
+/// alarm on and off.
 ///
 /// While x is at most p0 on average, given all earlier windows, exp(evidence since any moment) is a
 /// supermartingale, since exp is convex. This has three consequences. After any moment, the

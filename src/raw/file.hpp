@@ -21,8 +21,9 @@ namespace piae::raw {
 ///   LabVIEW (.lvm)       `variable` is a channel: its number, or its name (lvm.hpp)
 ///   text                 `variable` is a column: its number, counted from 1, or its name
 /// Returns NaN and infinite samples unchanged. Throws Error(bad_input) in one line with the file
-/// and what is wrong. Errors: the variable is missing (the error lists what the file has), the file
-/// declares another sample rate than the given one, or the variable holds fewer than two numbers.
+/// and what is wrong. Lists what the file has if the variable is missing. Also throws if the file
+/// declares another sample rate than the given one, or if the variable holds fewer than two
+/// numbers.
 ///
 /// Runs the program `read_raw` next to the current program, within the limits of limits.hpp. A
 /// damaged file may crash a library or take all memory. Then only read_raw ends, and the Error

@@ -6,10 +6,11 @@
 
 namespace piae::raw {
 
-/// Throws Error(bad_input) if a dataset has values that were never written or are beyond the end of
-/// the file, chunks beyond its extents, or an unpacked chunk of the wrong size. HDF5's old format
-/// has no checksum for the chunk index, the extents and the filters. After one flipped bit there,
-/// HDF5 would read packed bytes as numbers, fill in zeros, read unverified bytes, or end early.
+/// Throws Error(bad_input) if values were never written or are beyond the end of the file. Also
+/// throws if chunks are beyond the extents, or if an unpacked chunk has the wrong size. HDF5's old
+/// format has no checksum for the chunk index, the extents and the filters. After one flipped bit
+/// there, HDF5 would read packed bytes as numbers, fill in zeros, read unverified bytes, or end
+/// early.
 void require_written(const Where& where, hid_t dataset);
 
 }  // namespace piae::raw

@@ -9,8 +9,8 @@ namespace piae::raw {
 
 /// Reads a channel, counted from 1, of a WAV, RF64, W64, AIFF or FLAC file with libsndfile.
 /// Integers are scaled to a full scale of 1; floats are unchanged. Throws Error(bad_input) if the
-/// file is shorter than declared, or if a FLAC checksum of a frame or of all samples (flac_sum.hpp)
-/// does not match.
+/// file is shorter than declared. Also throws if a FLAC checksum, of a frame or of all samples
+/// (flac_sum.hpp), does not match.
 Signal read_sound(const std::filesystem::path& file, const std::string& channel);
 
 }  // namespace piae::raw

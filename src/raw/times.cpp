@@ -19,7 +19,7 @@ constexpr double regular_share = 0.9;
 constexpr double regular_within = 0.25;  // share of the median step, on either side
 constexpr double steps_of_a_gap = 1.5;
 constexpr std::size_t fewest_times = 20;
-constexpr std::size_t most_steps_back = 10;  // for a column without the name of times
+constexpr std::size_t most_steps_back = 10;  // for a column whose name is not a time
 constexpr double fewest_coarse_steps = 200;  // rounding then moves their mean by 0.5 % at most
 
 struct Unit {

@@ -89,8 +89,8 @@ std::optional<double> fortran_number(std::string_view field) {
   return number_in<double>(text);
 }
 
-/// Reads the numbers of a line, separated by blanks, or in fields of fixed width, because a number
-/// that fills its field has no blank before it. Returns nothing if a number is not readable.
+/// Reads the numbers of a line, separated by blanks or in fields of fixed width. A number that
+/// fills its field has no blank before it. Returns nothing if a number is not readable.
 std::optional<std::vector<double>> numbers_in_line(std::string_view line, std::size_t width) {
   std::vector<double> numbers;
   while (!line.empty()) {

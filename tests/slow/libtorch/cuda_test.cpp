@@ -31,8 +31,8 @@ class OnCuda : public testing::Test {
   }
 };
 
-/// Tolerance after a step of Adam. Adam divides by the root of its second moment, so rounding of a
-/// gradient near zero moves a weight as much as a large gradient does.
+/// Tolerance after a step of Adam, which divides by the root of its second moment. Rounding of a
+/// gradient near zero therefore moves a weight as much as a large gradient does.
 constexpr double after_adam = 1e-3;
 
 void expect_near(const std::vector<float>& ours, const std::vector<float>& theirs,

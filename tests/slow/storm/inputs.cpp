@@ -1,8 +1,8 @@
 // Reads damaged inputs in a child process under the sanitizers: raw recordings, descriptions,
-// settings and artefacts, with random changes, or with changed content and valid digests. The child
-// reports each result through a pipe. A crash or 20 s of silence is our fault, except for a crash
-// inside a library that reads files (HDF5, matio, sndfile). The programs isolate such crashes in
-// processes of their own, so the programs are run instead.
+// settings and artefacts. Each has random changes, or changed content and valid digests. The child
+// reports each result through a pipe. A crash or 20 s of silence is our fault. The exception is a
+// crash inside a library that reads files (HDF5, matio, sndfile): the programs isolate such
+// crashes, so the programs are run instead.
 
 #include <omp.h>
 #include <poll.h>

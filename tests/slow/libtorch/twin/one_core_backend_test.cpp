@@ -46,9 +46,9 @@ TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
   }
 }
 
-// Tolerances are wide: Adam divides by the root of its second moment, so rounding of a gradient
-// near zero moves a weight as much as a large gradient does. Three steps leave fewer digits than
-// one step.
+// Needs wide tolerances, because Adam divides by the root of its second moment. Rounding of a
+// gradient near zero moves a weight as much as a large gradient does. Three steps leave fewer
+// digits than one step.
 TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
   // Other coders have at least two layers.

@@ -166,8 +166,8 @@ void expect_the_same() {
       expect_the_same_gradients<float, Mine, Theirs>(depth, encodes, 1e-5);
     }
     expect_the_same_steps<double, Mine, Theirs>(encodes, 1e-10);
-    // Adam divides by the root of its second moment, so rounding of a gradient near zero moves a
-    // weight as much as a large gradient does.
+    // Adam divides by the root of its second moment. Rounding of a gradient near zero therefore
+    // moves a weight as much as a large gradient does.
     expect_the_same_steps<float, Mine, Theirs>(encodes, 1e-3);
   }
 }
