@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "report/confidence_table.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
 #include "report/quality_table.hpp"

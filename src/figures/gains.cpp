@@ -6,7 +6,7 @@
 #include "augment/catalogue.hpp"
 #include "figures/groups.hpp"
 #include "figures/intervals.hpp"
-#include "report/paper_reference.hpp"
+#include "report/paper.hpp"
 
 namespace piae::figures {
 

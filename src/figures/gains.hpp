@@ -15,7 +15,7 @@ Numbers gains_of_methods(Source& source, const report::ClassifierRows& shown);
 Numbers gains_of_models(Source& source, const report::ClassifierRows& shown);
 
 /// Returns the accuracies, with the same columns, of all methods of the grid; `none` has one row
-/// for each seed, without generated windows. So has the baseline (report/classifier_rows.hpp), if
+/// for each seed, without generated windows. So has the baseline (report/accuracies.hpp), if
 /// known; its method is the name of its classifier.
 Numbers accuracies(Source& source, const report::ClassifierRows& shown);
 

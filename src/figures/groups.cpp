@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "figures/source.hpp"
-#include "report/paper_methods.hpp"
+#include "report/paper.hpp"
 
 namespace piae::figures {
 

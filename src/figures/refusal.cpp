@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
-#include "report/shown_rows.hpp"
+#include "report/accuracies.hpp"
 #include "scoring/confidence.hpp"
 #include "scoring/refusal.hpp"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "augment/catalogue.hpp"
-#include "report/shown_rows.hpp"
+#include "report/accuracies.hpp"
 #include "scoring/confidence.hpp"
 
 namespace piae::figures {

@@ -2,7 +2,7 @@
 
 #include "figures/numbers.hpp"
 #include "figures/source.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/accuracies.hpp"
 
 namespace piae::figures {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "artefact/reader.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/accuracies.hpp"
 #include "run/held.hpp"
 #include "scoring/diagnosis_record.hpp"
 

@@ -3,10 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <map>
+#include <span>
 
 #include "page/links.hpp"
 #include "page/table.hpp"
-#include "page/words.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "run/layout.hpp"
 #include "scoring/quality_record.hpp"
@@ -15,126 +17,89 @@
 namespace piae::page {
 
 namespace fs = std::filesystem;
+using report::Section;
 
 namespace {
 
 /// As much of a digest as tells it from all others; `verify` checks the whole.
 constexpr std::size_t shown_digits = 16;
 
-Cell seed_cell(std::int64_t seed) {
-  return number_cell(static_cast<double>(seed), std::to_string(seed));
+text::Cell digest_cell(const std::string& digest) {
+  text::Cell cell = digest;
+  cell.is_digest = true;
+  return cell;
 }
 
-Cell digest_cell(const std::string& digest) {
-  return {.content = element("code", digest.substr(0, shown_digits))};
+text::Cell file_cell(const fs::path& file) {
+  text::Cell cell;
+  cell.files = {file};
+  return cell;
 }
 
-Table diagnoses_table(const std::vector<DatasetContents>& datasets) {
-  Table table{.caption = "Diagnoses: the attribute accuracy of each, percent",
-              .columns = {{"data set"},
-                          {"method"},
-                          {"classifier"},
-                          {"ratio"},
-                          {"seed", true},
-                          {"accuracy", true},
-                          {"artefact"},
-                          {"digest"}}};
+text::Cell seed_cell(std::int64_t seed) {
+  return report::labelled_cell(static_cast<double>(seed), std::to_string(seed));
+}
+
+Section diagnoses_table(const std::vector<DatasetContents>& datasets) {
+  text::Table table({"data set", "method", "classifier", "ratio"}, 4);
+  for (const char* heading : {"seed", "accuracy"}) table.column({heading, true});
+  for (const char* heading : {"artefact", "digest"}) table.column({heading});
   for (const DatasetContents& dataset : datasets) {
     const run::Layout layout("", dataset.name);
     for (std::size_t i = 0; i < dataset.results.diagnoses.size(); ++i) {
       const run::Diagnosis& cell = dataset.results.diagnoses[i];
-      const double percent = 100 * cell.accuracy;
-      const fs::path file = layout.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier);
-      table.rows.push_back({.cells = {{.content = dataset.name},
-                                      {.content = cell.method},
-                                      {.content = cell.classifier},
-                                      {.content = cell.ratio},
-                                      seed_cell(cell.seed),
-                                      number_cell(percent, fmt::format("{:.2f}", percent)),
-                                      {.content = file_link(file)},
-                                      digest_cell(dataset.diagnosis_digests[i])}});
+      table.row({dataset.name, cell.method, cell.classifier, cell.ratio, seed_cell(cell.seed),
+                 report::number_cell(100 * cell.accuracy),
+                 file_cell(layout.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier)),
+                 digest_cell(dataset.diagnosis_digests[i].substr(0, shown_digits))});
     }
   }
-  return table;
+  return {"diagnoses", "Diagnoses: the attribute accuracy of each, percent", "", table};
 }
 
-Table scores_table(const std::vector<DatasetContents>& datasets) {
-  Table table{.caption = "Scores: the mean over classes of each metric",
-              .columns = {{"data set"}, {"method"}, {"seed", true}}};
-  for (const scoring::Metric& metric : scoring::all_metrics()) {
-    table.columns.push_back({metric.name, true});
-  }
-  table.columns.insert(table.columns.end(), {{"artefact"}, {"digest"}});
+Section scores_table(const std::vector<DatasetContents>& datasets) {
+  text::Table table({"data set", "method", "seed"}, 2);
+  for (const scoring::Metric& metric : scoring::all_metrics()) table.column({metric.name, true});
+  for (const char* heading : {"artefact", "digest"}) table.column({heading});
   for (const DatasetContents& dataset : datasets) {
     const run::Layout layout("", dataset.name);
     for (std::size_t i = 0; i < dataset.results.qualities.size(); ++i) {
       const scoring::QualityRecord& cell = dataset.results.qualities[i];
-      Row row{.cells = {{.content = dataset.name}, {.content = cell.method}, seed_cell(cell.seed)}};
+      text::Cells row{dataset.name, cell.method, seed_cell(cell.seed)};
       for (const scoring::Metric& metric : scoring::all_metrics()) {
         const double mean = cell.mean_over_classes(metric);
-        row.cells.push_back(number_cell(mean, fmt::format("{:.4g}", mean)));
+        row.push_back(report::labelled_cell(mean, fmt::format("{:.4g}", mean)));
       }
-      row.cells.push_back({.content = file_link(layout.score(cell.method, cell.seed))});
-      row.cells.push_back(digest_cell(dataset.score_digests[i]));
-      table.rows.push_back(std::move(row));
+      row.push_back(file_cell(layout.score(cell.method, cell.seed)));
+      row.push_back(digest_cell(dataset.score_digests[i].substr(0, shown_digits)));
+      table.row(std::move(row));
     }
   }
-  return table;
+  return {"scores", "Scores: the mean over classes of each metric", "", table};
 }
 
-/// The cells of one combination, in the place of a row for each.
-struct CombinedCells {
-  const DatasetContents* dataset = nullptr;
-  run::Combination combination;
-  std::vector<std::int64_t> seeds = {};
-  std::vector<double> percents = {};
-};
-
-/// Cells come by combination.
-std::vector<CombinedCells> combined_diagnoses(const std::vector<DatasetContents>& datasets) {
-  std::vector<CombinedCells> all;
+/// A row for all seeds of a diagnosis: accuracy_rows() have them together.
+Section combined_table(const std::vector<DatasetContents>& datasets) {
+  text::Table table({"data set", "method", "classifier", "ratio"}, 4);
+  for (const char* heading : {"diagnoses", "lowest", "highest"}) table.column({heading, true});
+  table.column({"seeds"});
   for (const DatasetContents& dataset : datasets) {
-    for (const run::Diagnosis& cell : dataset.results.diagnoses) {
-      const run::Combination combination{cell.method, cell.ratio, cell.classifier};
-      const bool is_new =
-          all.empty() || all.back().dataset != &dataset || !(all.back().combination == combination);
-      if (is_new) all.push_back({.dataset = &dataset, .combination = combination});
-      all.back().seeds.push_back(cell.seed);
-      all.back().percents.push_back(100 * cell.accuracy);
+    for (const report::AccuracyRow& row : dataset.rows) {
+      const auto [low, high] = std::ranges::minmax(row.values);
+      table.row({dataset.name, row.method, row.classifier, row.ratio,
+                 report::count_cell(row.values.size()), report::number_cell(low),
+                 report::number_cell(high), report::seed_list(row.seeds)});
     }
   }
-  return all;
+  return {"diagnoses", "Diagnoses: the lowest and the highest accuracy among the seeds, percent",
+          "", table};
 }
 
-Table combined_table(const std::vector<DatasetContents>& datasets) {
-  Table table{.caption = "Diagnoses: the lowest and the highest accuracy among the seeds, percent",
-              .columns = {{"data set"},
-                          {"method"},
-                          {"classifier"},
-                          {"ratio"},
-                          {"diagnoses", true},
-                          {"lowest", true},
-                          {"highest", true},
-                          {"seeds"}}};
-  for (const CombinedCells& cells : combined_diagnoses(datasets)) {
-    const auto [low, high] = std::ranges::minmax(cells.percents);
-    table.rows.push_back({.cells = {{.content = cells.dataset->name},
-                                    {.content = cells.combination.method},
-                                    {.content = cells.combination.classifier},
-                                    {.content = cells.combination.ratio},
-                                    number_cell(static_cast<double>(cells.seeds.size()),
-                                                std::to_string(cells.seeds.size())),
-                                    number_cell(low, fmt::format("{:.2f}", low)),
-                                    number_cell(high, fmt::format("{:.2f}", high)),
-                                    {.content = report::seed_list(cells.seeds)}}});
-  }
-  return table;
-}
-
-Html in_details(const Table& table, const std::string& what) {
-  if (table.rows.empty()) return {};
+Html in_details(const Section& section, const std::string& what) {
+  const std::size_t rows = section.table.rows().size();
+  if (rows == 0) return {};
   return element("details", {{"class", "not-on-paper"}},
-                 element("summary", fmt::format("{}: {}", what, table.rows.size())) + html(table));
+                 element("summary", fmt::format("{}: {}", what, rows)) + html(section));
 }
 
 std::size_t count_of_cells(const std::vector<DatasetContents>& datasets) {
@@ -145,7 +110,52 @@ std::size_t count_of_cells(const std::vector<DatasetContents>& datasets) {
   return count;
 }
 
+using Builds = std::map<Build, std::size_t>;
+
+Builds builds_of(const std::vector<DatasetContents>& datasets) {
+  Builds builds;
+  for (const DatasetContents& dataset : datasets) {
+    for (const auto& [build, count] : dataset.builds) builds[build] += count;
+  }
+  return builds;
+}
+
+Html table_of_builds(const Builds& builds) {
+  text::Table table({"version (commit)", "compiler and libraries", "machine", "cells"}, 3);
+  for (const auto& [build, count] : builds) {
+    table.row({build.version, build.libraries, build.processor, report::count_cell(count)});
+  }
+  return html(report::Section{"builds", "What made the cells",
+                              "From /provenance of every diagnosis.h5 and score.h5.", table});
+}
+
+/// Records of thousands of files would fill the page.
+constexpr std::size_t most_files = 100;
+
+Html table_of_records(const std::vector<DatasetContents>& datasets) {
+  text::Table table({"data set", "file", "SHA-256"}, 3);
+  for (const DatasetContents& dataset : datasets) {
+    if (dataset.records_digest.empty()) continue;
+    table.row(
+        {dataset.name, "records.h5 (digest of its content)", digest_cell(dataset.records_digest)});
+    const std::size_t shown = std::min(dataset.records.size(), most_files);
+    for (const RecordInput& input : std::span(dataset.records).first(shown)) {
+      table.row({dataset.name, input.file, digest_cell(input.digest)});
+    }
+    if (shown < dataset.records.size()) {
+      table.row({dataset.name, report::counted(dataset.records.size() - shown, "more file"),
+                 "in records.h5"});
+    }
+  }
+  if (table.rows().empty()) return {};
+  return html(report::Section{"records", "What it was made from",
+                              "From /provenance/inputs of each data set’s records.h5.", table});
+}
+
 }  // namespace
+
+namespace fs = std::filesystem;
+using report::Section;
 
 Html cells_view(const std::vector<DatasetContents>& datasets) {
   const std::size_t count = count_of_cells(datasets);
@@ -165,6 +175,19 @@ Html cells_view(const std::vector<DatasetContents>& datasets) {
                                   shown_digits)) +
          in_details(diagnoses_table(datasets), "Diagnoses") +
          in_details(scores_table(datasets), "Scores");
+}
+
+Html provenance_view(const std::vector<DatasetContents>& datasets) {
+  const Builds builds = builds_of(datasets);
+  Html view;
+  if (builds.size() > 1) {
+    view += element(
+        "p", "The cells were made by " + report::counted(builds.size(), "different build") +
+                 " or machines: numbers of different ones differ by rounding, which training makes "
+                 "grow.");
+  }
+  if (!builds.empty()) view += table_of_builds(builds);
+  return view + table_of_records(datasets);
 }
 
 }  // namespace piae::page

@@ -15,4 +15,7 @@ inline constexpr std::size_t most_listed_cells = 3000;
 /// most_listed_cells, a row for all seeds of a diagnosis.
 Html cells_view(const std::vector<DatasetContents>& datasets);
 
+/// By which commit, libraries and machine the cells were made, and from which recordings.
+Html provenance_view(const std::vector<DatasetContents>& datasets);
+
 }  // namespace piae::page

@@ -8,8 +8,7 @@
 #include <tuple>
 
 #include "augment/catalogue.hpp"
-#include "report/classifier_rows.hpp"
-#include "report/condition_notes.hpp"
+#include "report/accuracies.hpp"
 #include "report/verdict.hpp"
 #include "run/held.hpp"
 
@@ -28,47 +27,6 @@ Build build_of(const artefact::Reader& reader) {
 
 run::CellName name_of(const run::Diagnosis& cell) {
   return {cell.method, cell.ratio, cell.seed, cell.classifier};
-}
-
-/// Of the ratios at which the most methods have a row, the one with the most generated windows.
-std::string ratio_to_show(const std::vector<report::AccuracyRow>& rows) {
-  std::map<std::int64_t, std::pair<std::size_t, std::string>> methods_by_generated;
-  for (const report::AccuracyRow& row : rows) {
-    auto& [count, ratio] = methods_by_generated[row.generated_per_class];
-    ++count;
-    ratio = row.ratio;
-  }
-  std::size_t most = 0;
-  std::string shown;
-  for (const auto& [generated, methods] : methods_by_generated) {
-    if (methods.first < most) continue;
-    most = methods.first;
-    shown = methods.second;
-  }
-  return shown;
-}
-
-/// Of the paper's classifier at this ratio, and without generated windows.
-std::vector<MethodConfusion> confusions_of(const std::vector<run::Diagnosis>& cells,
-                                           const std::string& ratio) {
-  std::vector<MethodConfusion> confusions;
-  for (const run::Diagnosis& cell : cells) {
-    if (cell.classifier != scoring::paper_classifier) continue;
-    if (cell.ratio != ratio && cell.method != augment::no_method) continue;
-    auto of_method = std::ranges::find(confusions, cell.method, &MethodConfusion::method);
-    if (of_method == confusions.end()) {
-      of_method = confusions.insert(of_method, {cell.method, cell.ratio, 0, {}});
-    }
-    scoring::add(of_method->confusion, cell.confusion);
-    ++of_method->seeds;
-  }
-  return confusions;
-}
-
-std::vector<signal::ClassInfo> classes_of(const run::Results& results) {
-  if (!results.diagnoses.empty()) return results.diagnoses.front().classes;
-  if (!results.qualities.empty()) return results.qualities.front().info.classes;
-  return {};
 }
 
 /// Names of cells, of which there may be a hundred thousand.
@@ -172,15 +130,11 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
   run::Collected collected = run::collect_held(layout, asked, run::Held(layout, leave_out), note);
   contents.grid = std::move(collected.grid);
   contents.results = std::move(collected.results);
-  contents.classes = classes_of(contents.results);
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
   contents.recommendations = report::recommendations(contents.rows, contents.results);
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);
-  contents.confusions =
-      confusions_of(contents.results.diagnoses,
-                    ratio_to_show(report::rows_by(contents.rows, scoring::paper_classifier)));
   contents.holes = holes_in(run, asked, contents);
   read_records(run, contents);
   return contents;

@@ -10,7 +10,7 @@
 
 #include "page/asked.hpp"
 #include "page/hole.hpp"
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
 #include "report/recommendation.hpp"
 #include "run/collect.hpp"
 #include "scoring/accuracy.hpp"
@@ -29,15 +29,6 @@ struct Build {
   }
 };
 
-/// What the paper's classifier, trained with a method's windows, said of the test windows, summed
-/// over seeds.
-struct MethodConfusion {
-  std::string method;
-  std::string ratio;
-  std::size_t seeds = 0;
-  scoring::Confusion confusion;
-};
-
 /// A recording, or a description from which recordings were simulated.
 struct RecordInput {
   std::string file;
@@ -48,7 +39,6 @@ struct RecordInput {
 /// same run gives the same page in any folder.
 struct DatasetContents {
   std::string name;
-  std::vector<signal::ClassInfo> classes = {};
   run::Grid grid = {};        ///< what is asked for, and what else the folder holds
   run::Results results = {};  ///< the cells that could be read
   std::vector<std::string> diagnosis_digests = {};  ///< of the contents of results.diagnoses
@@ -58,9 +48,8 @@ struct DatasetContents {
   std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
   std::vector<std::string> verdict = {};       ///< sentences; first its conditions
   std::vector<report::Recommendation> recommendations = {};  ///< by ratio
-  std::vector<MethodConfusion> confusions = {};  ///< with the most generated windows, by method
-  std::string records_digest = {};               ///< empty where there are no records
-  std::string records_problem = {};              ///< why they cannot be read; empty where they can
+  std::string records_digest = {};                           ///< empty where there are no records
+  std::string records_problem = {};  ///< why they cannot be read; empty where they can
   std::vector<RecordInput> records = {};
 };
 

@@ -6,7 +6,8 @@
 
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
-#include "page/duration.hpp"
+#include "page/time_line.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
 
@@ -65,48 +66,46 @@ std::optional<double> mean_time(const std::vector<TimedStep>& steps, const StepP
   return count == 0 ? std::nullopt : std::optional(sum / static_cast<double>(count));
 }
 
-Cell time_or_none(std::optional<double> seconds) {
-  if (!seconds) return {.content = report::no_number};
-  return number_cell(*seconds, duration_label(*seconds));
+text::Cell time_or_none(std::optional<double> seconds) {
+  if (!seconds) return report::no_number;
+  return report::labelled_cell(*seconds, duration_label(*seconds));
 }
 
 /// Without a sum where the time of a part is not known.
-Row row_of_costs(const std::vector<TimedStep>& steps, const StepPlace& diagnosis,
-                 double diagnosing_s) {
-  Row row{.cells = {{.content = report::method_label(diagnosis.method)},
-                    {.content = diagnosis.classifier},
-                    {.content = report::short_ratio_label(diagnosis.ratio)},
-                    {.content = diagnosis.dataset}}};
+text::Cells costs_of(const std::vector<TimedStep>& steps, const StepPlace& diagnosis,
+                     double diagnosing_s) {
+  text::Cells cells{report::method_label(diagnosis.method), diagnosis.classifier,
+                    report::short_ratio_label(diagnosis.ratio), diagnosis.dataset};
   std::optional<double> sum = diagnosing_s;
   for (const char* const stage : {"train", "generate"}) {
     const auto time = mean_time(steps, {diagnosis.dataset, diagnosis.method, stage});
-    row.cells.push_back(time_or_none(time));
+    cells.push_back(time_or_none(time));
     if (diagnosis.method == augment::no_method) continue;
     sum = sum && time ? std::optional(*sum + *time) : std::nullopt;
   }
-  row.cells.push_back(time_or_none(diagnosing_s));
-  row.cells.push_back(time_or_none(sum));
-  return row;
+  cells.push_back(time_or_none(diagnosing_s));
+  cells.push_back(time_or_none(sum));
+  return cells;
 }
 
 void add_costs(const std::vector<TimedStep>& steps, const std::string& dataset,
-               std::vector<Row>& rows) {
+               text::Table& table) {
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
     for (const augment::CatalogueEntry& method : augment::catalogue()) {
-      std::optional<Row> with_most_windows;
+      text::Cells with_most_windows;
       for (const scoring::Ratio& ratio : scoring::all_ratios()) {
         const StepPlace place{dataset, method.name, "diagnose", ratio.name, classifier.name};
         const auto time = mean_time(steps, place);
-        if (time) with_most_windows = row_of_costs(steps, place, *time);
+        if (time) with_most_windows = costs_of(steps, place, *time);
       }
-      if (with_most_windows) rows.push_back(std::move(*with_most_windows));
+      if (!with_most_windows.empty()) table.row(std::move(with_most_windows));
     }
   }
 }
 
 }  // namespace
 
-std::optional<Table> cost_table(const std::vector<run::StepLog>& steps) {
+std::optional<report::Section> cost_table(const std::vector<run::StepLog>& steps) {
   const std::vector<TimedStep> timed = timed_steps(steps);
   std::vector<std::string> datasets;
   for (const TimedStep& step : timed) {
@@ -114,23 +113,18 @@ std::optional<Table> cost_table(const std::vector<run::StepLog>& steps) {
       datasets.push_back(step.place.dataset);
     }
   }
-  Table table{.caption = "Processor time that each method takes of one seed, mean over the seeds",
-              .columns = {{"method"},
-                          {"classifier"},
-                          {"ratio"},
-                          {"data set"},
-                          {"train it", true},
-                          {"generate", true},
-                          {"train and ask the classifier", true},
-                          {"together", true}}};
-  for (const std::string& dataset : datasets) add_costs(timed, dataset, table.rows);
-  if (table.rows.empty()) return std::nullopt;
-  table.below =
+  text::Table table({"method", "classifier", "ratio", "data set", "train it", "generate",
+                     "train and ask the classifier", "together"},
+                    4);
+  for (const std::string& dataset : datasets) add_costs(timed, dataset, table);
+  if (table.rows().empty()) return std::nullopt;
+  return report::Section{
+      "costs", "Processor time that each method takes of one seed, mean over the seeds",
       "From the lines “step: used” of train.log, generate.log and diagnose.log beside the "
       "artefacts, each with the most generated windows of its method and classifier. What has no "
       "such line, as in older runs, has no time here, nor has a step that went on from a "
-      "checkpoint, of which the log has the last part alone.";
-  return table;
+      "checkpoint, of which the log has the last part alone.",
+      table};
 }
 
 }  // namespace piae::page

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "page/table.hpp"
+#include "report/document.hpp"
 #include "run/step_log.hpp"
 
 namespace piae::page {
@@ -12,6 +12,6 @@ namespace piae::page {
 /// and then to train the classifier and to ask it, with the most generated windows that the run has
 /// of this pair. The mean over the seeds whose logs are there and whose steps were done in one go.
 /// Empty where no diagnosis has left its log.
-std::optional<Table> cost_table(const std::vector<run::StepLog>& steps);
+std::optional<report::Section> cost_table(const std::vector<run::StepLog>& steps);
 
 }  // namespace piae::page

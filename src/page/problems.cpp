@@ -14,7 +14,7 @@
 
 #include "page/links.hpp"
 #include "page/table.hpp"
-#include "page/words.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 
@@ -131,38 +131,33 @@ std::string and_others(std::size_t count) {
   return count > most_shown ? fmt::format(" and {} more", count - most_shown) : "";
 }
 
-Html reasons_of(const HoleGroup& group) {
+std::string reasons_of(const HoleGroup& group) {
   const std::span shown(group.reasons.data(), std::min(most_shown, group.reasons.size()));
   std::string text = fmt::format("{}", fmt::join(shown, "; "));
   if (text.empty() && !group.stage.empty()) text = group.stage + " is not done";
   return text + and_others(group.reasons.size());
 }
 
-Html logs_of(const HoleGroup& group) {
-  Html links;
-  for (std::size_t i = 0; i < std::min(most_shown, group.logs.size()); ++i) {
-    if (i > 0) links += " ";
-    links += file_link(group.logs[i]);
+text::Cell logs_of(const HoleGroup& group) {
+  text::Cell cell = and_others(group.logs.size());
+  for (const auto& log : std::span(group.logs).first(std::min(most_shown, group.logs.size()))) {
+    cell.files.push_back(log);
   }
-  return links + and_others(group.logs.size());
-}
-
-Row row_of_hole_group(const HoleGroup& group) {
-  return {.cells = {{.content = sign_of(group.state) + word_of(group.state)},
-                    {.content = group.dataset},
-                    {.content = cells_label(group)},
-                    {.content = counted_cells(group.diagnoses, group.scores),
-                     .number = static_cast<double>(group.diagnoses + group.scores)},
-                    {.content = reasons_of(group), .looks = "reason"},
-                    {.content = logs_of(group)}},
-          .looks = group.state == HoleState::not_begun ? "" : "bad"};
+  return cell;
 }
 
 Html table_of_hole_groups(const std::vector<HoleGroup>& groups) {
-  Table table{.caption = "What is missing, and why",
-              .columns = {{"state"}, {"data set"}, {"which"}, {"cells"}, {"reason"}, {"log"}}};
-  for (const HoleGroup& group : groups) table.rows.push_back(row_of_hole_group(group));
-  return html(table);
+  text::Table table({"state", "data set", "which", "cells", "reason", "log"}, 6);
+  for (const HoleGroup& group : groups) {
+    text::Cell reasons = reasons_of(group);
+    reasons.looks = "reason";
+    table.row({sign_of(group.state) + word_of(group.state), group.dataset, cells_label(group),
+               report::labelled_cell(static_cast<double>(group.diagnoses + group.scores),
+                                     counted_cells(group.diagnoses, group.scores)),
+               reasons, logs_of(group)},
+              group.state == HoleState::not_begun ? "" : "bad");
+  }
+  return html(report::Section{"missing", "What is missing, and why", "", table});
 }
 
 }  // namespace

@@ -4,16 +4,11 @@
 
 #include <algorithm>
 
-#include "page/accuracy_view.hpp"
 #include "page/cells_view.hpp"
-#include "page/decisions_view.hpp"
 #include "page/figures_view.hpp"
 #include "page/links.hpp"
 #include "page/problems.hpp"
-#include "page/provenance_view.hpp"
-#include "page/recall_view.hpp"
-#include "page/recommendation_view.hpp"
-#include "page/words.hpp"
+#include "page/results_view.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
@@ -220,7 +215,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
        "A classifier (WDCNN, where no other is named) learns from healthy windows, the known "
        "windows of each fault, where there are any, and windows that a method has generated. Its "
        "accuracy is that on test windows."},
-      {counted(methods.size(), "method"), report::listed(methods)},
+      {report::counted(methods.size(), "method"), report::listed(methods)},
       {"Ratios", report::listed(ratio_labels(datasets))},
       {"Seeds", report::seed_list(seeds)},
       {"Split", protocols.empty() ? "not known yet" : report::listed(protocols)},
@@ -228,7 +223,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
   const auto classifiers = all_of<std::string>(datasets, classifiers_in_grid);
   if (classifiers.size() > 1) {
     facts.insert(facts.begin() + 2,
-                 {counted(classifiers.size(), "classifier"), report::listed(classifiers)});
+                 {report::counted(classifiers.size(), "classifier"), report::listed(classifiers)});
   }
   return facts;
 }

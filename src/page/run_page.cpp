@@ -6,10 +6,10 @@
 #include <iterator>
 
 #include "page/cost_table.hpp"
-#include "page/duration.hpp"
 #include "page/links.hpp"
 #include "page/table.hpp"
 #include "page/time_line.hpp"
+#include "report/columns.hpp"
 
 namespace piae::page {
 
@@ -17,21 +17,14 @@ namespace {
 
 using Steps = std::vector<const run::StepLog*>;
 
-constexpr const char* unknown = "–";
-
-Cell time_cell(double seconds) { return number_cell(seconds, duration_label(seconds)); }
-
-Cell optional_time(std::optional<double> seconds) {
-  return seconds ? time_cell(*seconds) : Cell{.content = unknown};
+text::Cell time_cell(std::optional<double> seconds) {
+  if (!seconds) return report::no_number;
+  return report::labelled_cell(*seconds, duration_label(*seconds));
 }
 
-Cell memory_cell(std::optional<double> memory_mb) {
-  return memory_mb ? number_cell(*memory_mb, fmt::format("{:.0f} MB", *memory_mb))
-                   : Cell{.content = unknown};
-}
-
-Cell count_cell(std::size_t count) {
-  return number_cell(static_cast<double>(count), std::to_string(count));
+text::Cell memory_cell(std::optional<double> memory_mb) {
+  if (!memory_mb) return report::no_number;
+  return report::labelled_cell(*memory_mb, fmt::format("{:.0f} MB", *memory_mb));
 }
 
 double elapsed_of(const Steps& steps) {
@@ -83,66 +76,47 @@ std::vector<StepGroup> step_groups(const std::vector<run::StepLog>& steps) {
   return groups;
 }
 
-Row row_of_group(const StepGroup& group) {
+void add_row(text::Table& table, const StepGroup& group) {
   const auto not_done = static_cast<std::size_t>(std::ranges::count_if(
       group.steps, [](const run::StepLog* step) { return step->end != run::StepEnd::done; }));
   const double elapsed = elapsed_of(group.steps);
   const run::StepLog* slowest = *std::ranges::max_element(
       group.steps, {}, [](const run::StepLog* step) { return step->elapsed_s; });
-  return {.cells = {{.content = group.name},
-                    count_cell(group.steps.size()),
-                    count_cell(not_done),
-                    time_cell(elapsed),
-                    optional_time(processor_time_of(group.steps)),
-                    time_cell(elapsed / static_cast<double>(group.steps.size())),
-                    time_cell(slowest->elapsed_s),
-                    memory_cell(memory_of(group.steps))},
-          .looks = not_done > 0 ? "bad" : ""};
+  table.row({group.name, report::count_cell(group.steps.size()), report::count_cell(not_done),
+             time_cell(elapsed), time_cell(processor_time_of(group.steps)),
+             time_cell(elapsed / static_cast<double>(group.steps.size())),
+             time_cell(slowest->elapsed_s), memory_cell(memory_of(group.steps))},
+            not_done > 0 ? "bad" : "");
 }
 
-Table table_of_groups(const std::vector<run::StepLog>& steps) {
-  Table table{.caption = "Time and memory by stage",
-              .columns = {{"stage"},
-                          {"steps", true},
-                          {"not done", true},
-                          {"elapsed, sum", true},
-                          {"processor time, sum", true},
-                          {"elapsed, mean", true},
-                          {"elapsed, longest", true},
-                          {"memory, most", true}}};
-  for (const StepGroup& group : step_groups(steps)) table.rows.push_back(row_of_group(group));
-  table.below =
-      "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which older "
-      "runs lack. Memory is what one step held at most.";
-  return table;
+report::Section table_of_groups(const std::vector<run::StepLog>& steps) {
+  text::Table table({"stage", "steps", "not done", "elapsed, sum", "processor time, sum",
+                     "elapsed, mean", "elapsed, longest", "memory, most"},
+                    1);
+  for (const StepGroup& group : step_groups(steps)) add_row(table, group);
+  return {"stages", "Time and memory by stage",
+          "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which "
+          "older runs lack. Memory is what one step held at most.",
+          table};
 }
 
-Row row_of_step(const run::StepLog& step) {
-  return {.cells = {{.content = file_link(step.file)},
-                    {.content = word_of(step.end)},
-                    number_cell(*step.begun_s, moment_label(*step.begun_s)),
-                    step.end == run::StepEnd::open ? Cell{.content = unknown}
-                                                   : time_cell(step.elapsed_s),
-                    optional_time(step.processor_s),
-                    memory_cell(step.memory_mb),
-                    {.content = step.reason}},
-          .looks = step.end == run::StepEnd::done ? "" : "bad"};
+report::Section table_of_steps(const std::string& title, const Steps& steps) {
+  text::Table table({"log", "end", "begun", "elapsed", "processor time", "memory"}, 2);
+  table.column({"reason"});
+  for (const run::StepLog* step : steps) {
+    const bool is_open = step->end == run::StepEnd::open;
+    text::Cell log;
+    log.files = {step->file};
+    table.row({log, word_of(step->end),
+               report::labelled_cell(*step->begun_s, moment_label(*step->begun_s)),
+               time_cell(is_open ? std::nullopt : std::optional(step->elapsed_s)),
+               time_cell(step->processor_s), memory_cell(step->memory_mb), step->reason},
+              step->end == run::StepEnd::done ? "" : "bad");
+  }
+  return {"steps", title, "", table};
 }
 
-Table table_of_steps(const std::string& caption, const Steps& steps) {
-  Table table{.caption = caption,
-              .columns = {{"log"},
-                          {"end"},
-                          {"begun", true},
-                          {"elapsed", true},
-                          {"processor time", true},
-                          {"memory", true},
-                          {"reason"}}};
-  for (const run::StepLog* step : steps) table.rows.push_back(row_of_step(*step));
-  return table;
-}
-
-Table slowest_steps(Steps steps) {
+report::Section slowest_steps(Steps steps) {
   constexpr std::size_t shown = 20;
   std::ranges::stable_sort(steps, std::ranges::greater(),
                            [](const run::StepLog* step) { return step->elapsed_s; });
@@ -192,7 +166,7 @@ Html content_of(const std::vector<run::StepLog>& steps) {
   if (steps.empty()) return element("p", "No step of this run has left a log.");
   Steps all;
   for (const run::StepLog& step : steps) all.push_back(&step);
-  const std::optional<Table> costs = cost_table(steps);
+  const auto costs = cost_table(steps);
   return element("p", {{"class", "verdict"}}, in_short(steps, all)) +
          element("h2", "When the steps ran") +
          element(

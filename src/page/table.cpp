@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "page/links.hpp"
+
 namespace piae::page {
 
 namespace {
@@ -9,54 +11,67 @@ namespace {
 /// From so many rows on, a table can be filtered.
 constexpr std::size_t long_table = 25;
 
-Attributes attributes_of(const Cell& cell, bool is_number) {
-  Attributes attributes;
-  std::string looks = cell.looks;
-  if (is_number) looks += looks.empty() ? "number" : " number";
-  if (!looks.empty()) attributes.push_back({"class", looks});
-  if (cell.number) attributes.push_back({"data-sort", fmt::format("{:.9g}", *cell.number)});
-  if (!cell.from.empty()) attributes.push_back({"title", cell.from});
-  return attributes;
+Html content_of_cell(const text::Cell& cell) {
+  if (cell.is_digest) return element("code", cell.text);
+  Html content;
+  for (const auto& file : cell.files) {
+    if (!content.empty()) content += " ";
+    content += file_link(file);
+  }
+  if (cell.more.empty()) return content + cell.text;
+  content += element("span", {{"class", "ours"}}, cell.text);
+  for (const std::string& line : cell.more) {
+    if (!line.empty()) content += element("span", {{"class", "theirs"}}, line);
+  }
+  return content;
 }
 
-Html html_of_row(const Row& row, const std::vector<Column>& columns) {
+Html html_of_row(const text::Row& row, const std::vector<text::Column>& columns) {
   Html cells;
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    Attributes attributes = attributes_of(row.cells[i], columns.at(i).is_number);
-    if (i == 0) attributes.push_back({"scope", "row"});
-    cells += element(i == 0 ? "th" : "td", attributes, row.cells[i].content);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].shown == text::Shown::in_csv) continue;
+    const text::Cell& cell = row.cells[i];
+    const bool is_name = cells.empty();
+    Attributes attributes;
+    std::string looks = cell.looks;
+    if (columns[i].is_number) looks += looks.empty() ? "number" : " number";
+    if (!looks.empty()) attributes.push_back({"class", looks});
+    if (cell.number) attributes.push_back({"data-sort", fmt::format("{:.9g}", *cell.number)});
+    if (!cell.source.empty()) attributes.push_back({"title", cell.source});
+    if (is_name) attributes.push_back({"scope", "row"});
+    cells += element(is_name ? "th" : "td", attributes, content_of_cell(cell));
   }
   Attributes attributes;
   if (!row.looks.empty()) attributes.push_back({"class", row.looks});
   return element("tr", attributes, cells);
 }
 
-Html html_of_header(const std::vector<Column>& columns) {
+Html html_of_header(const std::vector<text::Column>& columns) {
   Html cells;
-  for (const Column& column : columns) {
+  for (const text::Column& column : columns) {
+    if (column.shown == text::Shown::in_csv) continue;
     Attributes attributes{{"scope", "col"}};
     if (column.is_number) attributes.push_back({"class", "number"});
-    cells += element("th", attributes, column.title);
+    cells += element("th", attributes, column.heading);
   }
   return element("thead", element("tr", cells));
 }
 
 }  // namespace
 
-Cell number_cell(double number, const Html& shown) { return {.content = shown, .number = number}; }
-
-Html html(const Table& table) {
+Html html(const report::Section& section) {
+  const text::Table& table = section.table;
   Html rows;
-  for (const Row& row : table.rows) rows += html_of_row(row, table.columns);
-  const std::string looks = table.rows.size() >= long_table ? "sortable long" : "sortable";
+  for (const text::Row& row : table.rows()) rows += html_of_row(row, table.columns());
+  const std::string looks = table.rows().size() >= long_table ? "sortable long" : "sortable";
   const Html content =
-      element("caption", table.caption) + html_of_header(table.columns) + element("tbody", rows);
+      element("caption", section.title) + html_of_header(table.columns()) + element("tbody", rows);
   // A box that scrolls can be reached by the keyboard.
   Html all = element(
       "div",
-      {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", table.caption}},
+      {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", section.title}},
       element("table", {{"class", looks}}, content));
-  if (!table.below.empty()) all += element("p", {{"class", "below"}}, table.below);
+  if (!section.note.empty()) all += element("p", {{"class", "below"}}, section.note);
   return all;
 }
 

@@ -1,12 +1,12 @@
 #include "page/time_line.hpp"
 
+#include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <ctime>
 #include <set>
 #include <string>
-
-#include "page/duration.hpp"
 
 namespace piae::page {
 
@@ -186,6 +186,19 @@ Html ticks(const Axis& axis, double bottom) {
 }
 
 }  // namespace
+
+std::string duration_label(double seconds) {
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
+  const double minutes = seconds / 60;
+  return minutes < 99.5 ? fmt::format("{:.1f} min", minutes)
+                        : fmt::format("{:.1f} h", minutes / 60);
+}
+
+std::string moment_label(double seconds_since_1970) {
+  const auto seconds = static_cast<std::time_t>(seconds_since_1970);
+  return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(seconds));
+}
 
 std::string word_of(run::StepEnd end) {
   switch (end) {

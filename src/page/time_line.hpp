@@ -1,11 +1,18 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "page/html.hpp"
 #include "run/step_log.hpp"
 
 namespace piae::page {
+
+/// "0.4 s", "12 s", "5.2 min", "3.1 h".
+std::string duration_label(double seconds);
+
+/// A moment in seconds since 1970 as "2025-11-22 12:46 UTC".
+std::string moment_label(double seconds_since_1970);
 
 /// A time in which steps ran, without a longer pause.
 struct Session {

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "augment/catalogue.hpp"
-#include "report/csv_fields.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "text/csv.hpp"

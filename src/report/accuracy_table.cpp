@@ -3,191 +3,369 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <iterator>
-#include <utility>
 
 #include "augment/catalogue.hpp"
-#include "report/bounded_summary.hpp"
-#include "report/classifier_rows.hpp"
-#include "report/csv_fields.hpp"
+#include "diagnosis/catalogue.hpp"
+#include "report/accuracy_columns.hpp"
 #include "report/labels.hpp"
-#include "report/paper_reference.hpp"
-#include "text/csv.hpp"
-#include "text/table.hpp"
+#include "report/paper.hpp"
+#include "report/verdict.hpp"
 
 namespace piae::report {
 
 namespace {
 
-void add_published(AccuracyRow& row, const Published& published) {
-  if (row.classifier != scoring::paper_classifier) return;
-  const std::optional<Counterpart> beside = PaperReference(row.dataset).beside();
-  if (!beside) return;
-  const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
-  (beside->own ? row.published : row.orientation) = percent;
+using Cells = std::vector<std::string>;
+using Rows = std::vector<AccuracyRow>;
+
+bool has_interval(const AccuracyRow& row) { return row.summary.interval.has_value(); }
+
+/// For whom a table with a row for each method and ratio is written.
+enum class Writer { csv, terminal, documents };
+
+/// Its heading of a column; empty where it does not have it. `paper` is that of published numbers.
+std::string heading_of(const AccuracyColumn& column, Writer writer, const std::string& paper) {
+  if (writer == Writer::csv) return column.field;
+  if (writer == Writer::terminal) return column.terminal;
+  return column.heading == std::string("paper") ? paper : column.heading;
 }
 
-std::optional<double> difference(std::optional<double> a, std::optional<double> b) {
-  return a && b ? std::optional(*a - *b) : std::nullopt;
-}
+bool says_something(const text::Cell& cell) { return !cell.text.empty() && cell.text != no_number; }
 
-/// Without values where the rows have no seed in common.
-AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
-  const Pairs pairs = pairs_of(row, baseline);
-  row.seeds = pairs.seeds;
-  row.values.resize(pairs.seeds.size());
-  std::ranges::transform(pairs.first, pairs.second, row.values.begin(), std::minus());
-  if (row.values.empty()) return row;
-  row.summary = summarise_within(differences_of_percents, row.values);
-  row.kind.reset();
-  row.published = difference(row.published, baseline.published);
-  row.orientation = difference(row.orientation, baseline.orientation);
-  return row;
-}
-
-std::string as_published(std::optional<double> value) {
-  return value ? fmt::format("{:g}", *value) : "";
-}
-
-void add_line(text::Table& table, const std::string& name, const AccuracyRow& row,
-              bool with_kinds) {
-  std::vector<std::string> cells{name,
-                                 ratio_label(row.ratio, row.true_ratio),
-                                 std::to_string(row.generated_per_class),
-                                 std::to_string(row.summary.count),
-                                 mean_label(row.summary),
-                                 interval_label(row.summary)};
-  if (with_kinds) {
-    cells.push_back(row.kind ? mean_label(*row.kind) : "");
+text::Table rows_table(const std::vector<ShownRow>& rows, Writer writer, NumberStyle style = {},
+                       const std::string& paper = "") {
+  const bool kinds =
+      std::ranges::any_of(rows, [](const ShownRow& shown) { return shown.row.kind.has_value(); });
+  Columns<ShownRow> columns;
+  if (writer == Writer::csv) {
+    columns.name_fields(&ShownRow::row);
   } else {
-    cells.push_back(as_published(row.published));
+    columns.words("method", &ShownRow::name).words("ratio", [](const ShownRow& shown) {
+      return ratio_label(shown.row.ratio, shown.row.true_ratio);
+    });
   }
-  table.row(cells);
+  for (const AccuracyColumn& column : accuracy_columns()) {
+    const std::string heading = heading_of(column, writer, paper);
+    if (heading.empty() || column.kinds.value_or(kinds) != kinds) continue;
+    const auto cell_of = [&column, style](const ShownRow& shown) {
+      return column.cell(shown.row, style);
+    };
+    const bool any = std::ranges::any_of(
+        rows, [&](const ShownRow& shown) { return says_something(cell_of(shown)); });
+    if (writer == Writer::csv) {
+      columns.field(heading, cell_of);
+    } else if (writer == Writer::terminal || any) {
+      columns.numbers(heading, cell_of);
+    }
+  }
+  return columns.table(rows);
 }
+
+/// Whether any of a method's rows has fewer seeds than rows of others have.
+bool has_fewer_seeds(const Rows& own, const Rows& all) {
+  const auto count = [](const AccuracyRow& row) { return row.seeds.size(); };
+  return count(*std::ranges::min_element(own, {}, count)) <
+         count(*std::ranges::max_element(all, {}, count));
+}
+
+/// "1, seed 0"; where the paper has more runs than there are seeds, "6".
+std::string run_label(std::size_t run, const std::vector<std::int64_t>& seeds) {
+  const std::string label = std::to_string(run + 1);
+  return run < seeds.size() ? label + ", seed " + std::to_string(seeds[run]) : label;
+}
+
+std::string value_label(const std::vector<double>& percents, std::size_t run) {
+  return run < percents.size() ? number_label(percents[run]) : "";
+}
+
+/// What a row has at the seed of a run; empty where it does not have it.
+std::string value_of_seed(const AccuracyRow& row, const std::vector<std::int64_t>& seeds,
+                          std::size_t run) {
+  const auto value = run < seeds.size() ? row.at(seeds[run]) : std::nullopt;
+  return value ? number_label(*value) : "";
+}
+
+/// As Table 6, but with a run in each row: ten would be too wide. `bar` is null where it is
+/// unknown.
+text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
+                       const PaperReference& reference, const Published& published) {
+  const std::optional<double> theirs = row.theirs();
+  const std::vector<double> their_runs =
+      theirs ? published.baseline_runs(reference.beside()->paper.name) : std::vector<double>{};
+  Cells header{"run", "here"};
+  if (bar != nullptr) header.push_back("by " + bar->classifier);
+  if (theirs) header.push_back(reference.label());
+  text::Table table(header, 1);
+  for (std::size_t run = 0; run < std::max(row.values.size(), their_runs.size()); ++run) {
+    Cells cells{run_label(run, row.seeds), value_label(row.values, run)};
+    if (bar != nullptr) cells.push_back(value_of_seed(*bar, row.seeds, run));
+    if (theirs) cells.push_back(value_label(their_runs, run));
+    table.row(cells);
+  }
+  Cells mean{"mean", mean_label(row.summary)};
+  if (bar != nullptr) mean.push_back(mean_label(bar->summary));
+  if (theirs) mean.push_back(number_label(*theirs));
+  table.row(mean);
+  if (has_interval(row)) {
+    Cells interval{"95 % interval", interval_label(row.summary)};
+    if (bar != nullptr) interval.push_back(interval_label(bar->summary));
+    table.row(interval);
+  }
+  return table;
+}
+
+void add_line(text::Table& table, const std::string& name, const Rows& own,
+              const std::vector<RatioColumn>& columns, const MatrixStyle& style) {
+  text::Cells cells{name};
+  for (const RatioColumn& column : columns) {
+    const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
+    cells.push_back(row == own.end() ? text::Cell() : style.cell_of(*row));
+  }
+  table.row(std::move(cells), looks_of(own.front().method));
+}
+
+/// "Model 2"; "outlook" where the paper has no number for it.
+std::string model_name(const augment::CatalogueEntry& model) {
+  return model.model > 0 ? "Model " + std::to_string(model.model) : "outlook";
+}
+
+/// "ae (Model 2)": how a table of the models names a method.
+std::string model_label(const std::string& method) {
+  return method + " (" + model_name(*augment::find_entry(method)) + ")";
+}
+
+/// A block for each method, and in it a row for each ratio. `bar` is null where it is unknown, or
+/// no part of the table.
+text::Table blocks_table(const MethodGroup& group, const Rows& rows, const AccuracyRow* bar,
+                         const PaperReference& reference, NumberStyle style) {
+  std::vector<ShownRow> shown;
+  const auto add_block = [&](const std::string& name, const Rows& own) {
+    for (const AccuracyRow& row : own) {
+      shown.push_back({shown.empty() || &row == own.data() ? name : "", row});
+    }
+  };
+  for (const std::string& method : group.methods) {
+    const Rows own = rows_of(rows, method);
+    if (own.empty()) continue;
+    add_block(marked_if(has_fewer_seeds(own, rows),
+                        group.are_models ? model_label(method) : method_label(method)),
+              own);
+  }
+  if (bar != nullptr) {
+    add_block(marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar});
+  }
+  return rows_table(shown, Writer::documents, style, reference.label());
+}
+
+std::string about_bar(const std::optional<AccuracyRow>& bar) {
+  return bar ? bar_label(*bar) + " is " + diagnosis::the_classifier(bar->classifier).what : "";
+}
+
+std::string means_note(const PaperReference& reference, const std::optional<AccuracyRow>& bar) {
+  const std::string of_bar =
+      bar ? " " + about_bar(bar) + ": what a method must exceed to be needed." : "";
+  return std::string("All methods side by side. Their spread and intervals") +
+         (reference.beside() ? ", and what the paper publishes," : "") +
+         " follow, method by method." + of_bar;
+}
+
+constexpr const char* kinds_note =
+    "How often the kind is right: healthy, or which part of the bearing is damaged, whatever the "
+    "size. It is what a maintainer asks first.";
+
+constexpr const char* gain_note =
+    "Accuracy minus that of the same seed without generated windows; mean and spread are those of "
+    "the differences. The published gains are differences of the published tables.";
+
+std::string models_note(const MethodGroup& group) {
+  std::string note;
+  if (!group.are_models) return note;
+  for (const std::string& method : group.methods) {
+    const augment::CatalogueEntry& model = *augment::find_entry(method);
+    note += (note.empty() ? "" : "; ") + model_name(model) + ": " + std::string(model.name) + ", " +
+            model.what;
+  }
+  return note + ".";
+}
+
+void add_group(std::vector<Section>& sections, const MethodGroup& group,
+               const ClassifierRows& of_classifier, const Rows& gains,
+               const PaperReference& reference) {
+  const auto& [classifier, rows, bar] = of_classifier;
+  sections.push_back(
+      reference.table(group.table)
+          .of({"accuracy-" + group.key,
+               "Accuracy of " + group.name + " on " + reference.dataset() + ", percent",
+               models_note(group),
+               blocks_table(group, rows, bar ? &*bar : nullptr, reference, {})}));
+  if (gains.empty()) return;
+  sections.push_back(
+      reference.figure(group.gain_figure)
+          .of({"gain-" + group.key,
+               "Gain of " + group.name + " over none on " + reference.dataset() + ", points",
+               gain_note, blocks_table(group, gains, nullptr, reference, {.sign = true})}));
+}
+
+/// Which artefacts a mean was made from.
+std::string files_of(const AccuracyRow& row) {
+  return fmt::format("{}/seed{{{}}}/{}/{}/{}/diagnosis.h5, attribute accuracy", row.dataset,
+                     fmt::join(row.seeds, ","), row.method, row.ratio, row.classifier);
+}
+
+/// The mean, and below it all other columns that have something to say.
+text::Cell page_cell(const AccuracyRow& row, NumberStyle style, const PaperReference& reference,
+                     std::size_t seeds) {
+  text::Cell cell = mean_cell(row.summary, style);
+  cell.source = files_of(row);
+  for (const AccuracyColumn& column : accuracy_columns()) {
+    const std::string heading = heading_of(column, Writer::documents, reference.label());
+    if (heading.empty() || column.kinds.value_or(row.kind.has_value()) != row.kind.has_value() ||
+        column.field == std::string("mean")) {
+      continue;
+    }
+    const text::Cell other = column.cell(row, style);
+    cell.more.push_back(says_something(other) ? heading + " " + other.text : "");
+  }
+  cell.more.push_back(
+      row.seeds.size() < seeds ? fmt::format("{} of {} seeds", row.seeds.size(), seeds) : "");
+  return cell;
+}
+
+/// With a sign beside the colour.
+text::Cell with_effect(text::Cell cell, Effect effect) {
+  constexpr std::array signs{"▲ ", "○ ", "▼ "};
+  constexpr std::array looks{"helps", "unclear", "harms"};
+  cell.text = signs.at(static_cast<std::size_t>(effect)) + cell.text;
+  cell.looks = looks.at(static_cast<std::size_t>(effect));
+  return cell;
+}
+
+/// Behind the title of a table: by which classifier, unless it is the paper's.
+std::string by(const ClassifierRows& block) {
+  return block.classifier == scoring::paper_classifier ? "" : ", by " + block.classifier;
+}
+
+std::string about_published(const PaperReference& reference, const std::string& classifier) {
+  if (classifier != scoring::paper_classifier) return " The paper has no such classifier.";
+  if (!reference.beside()) return " The paper has no such data set.";
+  return " What the paper publishes is from its Tables 6 to 11 (results/published/*.csv).";
+}
+
+constexpr const char* about_signs =
+    "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of zero. "
+    "Of fewer than three seeds there is none, and nothing follows. Seeds are paired, from the same "
+    "artefacts as the accuracies.";
 
 }  // namespace
 
-AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diagnosis>& cells) {
-  const run::Diagnosis& first = cells.front();
-  AccuracyRow row;
-  row.dataset = dataset;
-  row.method = first.method;
-  row.classifier = first.classifier;
-  row.ratio = first.ratio;
-  row.generated_per_class = first.generated_per_class;
-  row.true_ratio = first.true_ratio;
-  row.speed_ratio = first.speed_ratio;
-  std::vector<double> kinds;
-  for (const run::Diagnosis& cell : cells) {
-    row.seeds.push_back(cell.seed);
-    row.values.push_back(100 * cell.accuracy);
-    if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);
-  }
-  row.summary = summarise_within(percents, row.values);
-  if (!kinds.empty()) row.kind = summarise_within(percents, kinds);
-  return row;
-}
-
-std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
-                                       const Published& published) {
-  std::vector<AccuracyRow> rows;
-  for (const run::Combination& combination : grid.combinations) {
-    const std::vector<run::Diagnosis> cells = run::diagnoses_of(results, combination);
-    if (cells.empty()) continue;
-    rows.push_back(accuracy_row(grid.dataset, cells));
-    add_published(rows.back(), published);
-  }
-  return rows;
-}
-
-std::optional<double> AccuracyRow::at(std::int64_t seed) const {
-  const auto found = std::ranges::find(seeds, seed);
-  return found == seeds.end() ? std::nullopt : std::optional(values[found - seeds.begin()]);
-}
-
-Pairs pairs_of(const AccuracyRow& first, const AccuracyRow& second) {
-  Pairs pairs;
-  for (std::size_t i = 0; i < first.seeds.size(); ++i) {
-    const std::optional<double> other = second.at(first.seeds[i]);
-    if (!other) continue;
-    pairs.seeds.push_back(first.seeds[i]);
-    pairs.first.push_back(first.values[i]);
-    pairs.second.push_back(*other);
-  }
-  return pairs;
-}
-
-std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows) {
-  std::vector<std::string> methods;
-  for (const AccuracyRow& row : rows) {
-    if (std::ranges::count(methods, row.method) == 0) methods.push_back(row.method);
-  }
-  return methods;
-}
-
-bool tell_kinds(const std::vector<AccuracyRow>& rows) {
-  return std::ranges::any_of(rows, [](const AccuracyRow& row) { return row.kind.has_value(); });
-}
-
-std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method) {
-  std::vector<AccuracyRow> own;
-  std::ranges::copy_if(rows, std::back_inserter(own),
-                       [&](const AccuracyRow& row) { return row.method == method; });
-  return own;
-}
-
-std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
-  std::vector<AccuracyRow> gains;
-  for (const AccuracyRow& row : rows) {
-    const auto baseline = std::ranges::find_if(rows, [&](const AccuracyRow& each) {
-      return each.method == augment::no_method && each.classifier == row.classifier;
-    });
-    if (row.method == augment::no_method || baseline == rows.end()) continue;
-    AccuracyRow gain = gain_of(row, *baseline);
-    if (!gain.values.empty()) gains.push_back(std::move(gain));
-  }
-  return gains;
-}
-
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
-  const bool with_kinds = tell_kinds(rows);
-  std::vector<std::string> header{
-      "dataset", "method",   "classifier", "ratio",    "generated_per_class", "seeds", "mean",
-      "std",     "ci95_low", "ci95_high",  "published"};
-  const std::vector<std::string> of_kinds{"kind_mean", "kind_std", "kind_ci95_low",
-                                          "kind_ci95_high"};
-  if (with_kinds) header.insert(header.end(), of_kinds.begin(), of_kinds.end());
-  std::string text = text::csv_line(header);
-  for (const AccuracyRow& row : rows) {
-    text += joined_csv_line(
-        {{row.dataset, row.method, row.classifier, row.ratio,
-          std::to_string(row.generated_per_class), std::to_string(row.summary.count)},
-         mean_fields(row.summary),
-         interval_fields(row.summary),
-         {as_published(row.published)},
-         with_kinds ? mean_fields(*row.kind) : std::vector<std::string>{},
-         with_kinds ? interval_fields(*row.kind) : std::vector<std::string>{}});
-  }
-  return text;
+  std::vector<ShownRow> all;
+  for (const AccuracyRow& row : rows) all.push_back({row.method, row});
+  return rows_table(all, Writer::csv).csv();
 }
 
 std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
   const std::vector<ClassifierRows> blocks = by_classifier(rows);
-  const bool with_kinds = tell_kinds(rows);
   std::string text;
   for (const ClassifierRows& block : blocks) {
-    text::Table table({"method", "ratio", "generated", "seeds", "accuracy %", "95 % interval",
-                       with_kinds ? "kind %" : "paper"},
-                      2);
-    for (const AccuracyRow& row : block.rows) {
-      add_line(table, method_label(row.method), row, with_kinds);
-    }
-    if (block.bar) add_line(table, bar_label(*block.bar), *block.bar, with_kinds);
+    std::vector<ShownRow> shown;
+    for (const AccuracyRow& row : block.rows) shown.push_back({method_label(row.method), row});
+    if (block.bar) shown.push_back({bar_label(*block.bar), *block.bar});
     if (blocks.size() > 1) text += "by " + block.classifier + '\n';
-    text += table.plain();
+    text += rows_table(shown, Writer::terminal).plain();
   }
   return text;
+}
+
+text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
+                         const std::optional<AccuracyRow>& bar, const MatrixStyle& style) {
+  Rows all = rows;
+  if (bar) all.push_back(*bar);
+  const std::vector<RatioColumn> columns = ratio_columns(all);
+  text::Table table({"method"}, 1);
+  for (const RatioColumn& column : columns) {
+    table.column({.heading = style.short_ratios ? short_ratio_label(column.ratio) : column.label,
+                  .is_number = true});
+  }
+  const auto add = [&](const std::string& name, const Rows& own) {
+    const bool marked = style.marks_fewer_seeds && has_fewer_seeds(own, rows);
+    add_line(table, marked_if(marked, name), own, columns, style);
+  };
+  for (const std::string& method : methods_of(rows))
+    add(method_label(method), rows_of(rows, method));
+  if (bar) add(bar_label(*bar), {*bar});
+  return table;
+}
+
+std::vector<Section> ratio_sections(const ClassifierRows& block, std::size_t seeds) {
+  const std::string& dataset = block.rows.front().dataset;
+  const PaperReference reference(dataset, block.classifier);
+  std::vector<Section> sections{
+      {.key = "accuracy",
+       .title =
+           "Accuracy on " + dataset + ", percent: mean ± standard deviation over seeds" + by(block),
+       .note = "A method’s numbers are the attribute accuracy of " + dataset +
+               "/seed*/<method>/<ratio>/" + block.classifier +
+               "/diagnosis.h5; each is in the list of cells below." +
+               about_published(reference, block.classifier) +
+               (block.bar ? " " + about_bar(block.bar) + "." : ""),
+       .table = ratio_matrix(block.rows, block.bar, {.cell_of = [&](const AccuracyRow& row) {
+                               return page_cell(row, {}, reference, seeds);
+                             }})}};
+  const Rows gains = gain_rows(block.rows);
+  if (gains.empty()) return sections;
+  sections.push_back({.key = "gain",
+                      .title = "Gain over none on " + dataset +
+                               ", points, with the 95 % interval of its mean" + by(block),
+                      .note = about_signs,
+                      .table = ratio_matrix(gains, {}, {.cell_of = [&](const AccuracyRow& row) {
+                                              text::Cell cell =
+                                                  page_cell(row, {.sign = true}, reference, seeds);
+                                              cell.source += ", minus that of none";
+                                              return with_effect(std::move(cell), effect_of(row));
+                                            }})});
+  return sections;
+}
+
+std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
+                                       const Published& published) {
+  const auto& [classifier, rows, bar] = of_classifier;
+  const std::string& dataset = rows.front().dataset;
+  const PaperReference reference(dataset, classifier);
+  const Rows gains = gain_rows(rows);
+  std::vector<std::string> methods = methods_of(rows);
+  const auto means_of = [&](const scoring::Summary& (*shown)(const AccuracyRow&)) {
+    return ratio_matrix(rows, bar,
+                        {.marks_fewer_seeds = true, .cell_of = [&](const AccuracyRow& row) {
+                           return number_cell(shown(row).mean);
+                         }});
+  };
+  std::vector<Section> sections;
+  if (methods.size() > 1) {
+    sections.push_back(reference.none().of(
+        {"accuracy-means", "Mean accuracy on " + dataset + ", percent", means_note(reference, bar),
+         means_of([](const AccuracyRow& row) -> const scoring::Summary& { return row.summary; })}));
+  }
+  if (tell_kinds(rows)) {
+    sections.push_back(reference.none().of(
+        {"accuracy-kinds", "Mean accuracy by kind of defect on " + dataset + ", percent",
+         kinds_note,
+         means_of([](const AccuracyRow& row) -> const scoring::Summary& { return *row.kind; })}));
+  }
+  for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
+    sections.push_back(reference.table(&PaperDataset::baseline_table)
+                           .of({"accuracy-none",
+                                "Accuracy on " + dataset + " without generated windows, " +
+                                    ratio_label(row.ratio, row.true_ratio) + ", percent",
+                                "", runs_table(row, bar ? &*bar : nullptr, reference, published)}));
+  }
+  std::erase(methods, augment::no_method);
+  for (const MethodGroup& group : method_groups(methods)) {
+    add_group(sections, group, of_classifier, gains, reference);
+  }
+  return sections;
 }
 
 }  // namespace piae::report

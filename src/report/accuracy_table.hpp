@@ -1,81 +1,49 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "report/published.hpp"
-#include "run/collect.hpp"
-#include "scoring/statistics.hpp"
+#include "report/accuracies.hpp"
+#include "report/document.hpp"
 
 namespace piae::report {
 
-/// One method at one ratio, by one classifier, over its seeds. The numbers are accuracies in
-/// percent, or gains in points.
-struct AccuracyRow {
-  std::string dataset;
-  std::string method;
-  std::string classifier = scoring::paper_classifier;
-  std::string ratio;
-  std::int64_t generated_per_class = 0;
-  std::optional<double> true_ratio;  ///< nothing where there was no fault window
-  /// Of how many ratios the values are means; see report/ratio_means.hpp.
-  std::size_t ratios = 1;
-  std::vector<std::int64_t> seeds;  ///< ascending; not every row of a run has the same
-  std::vector<double> values;       ///< by seed
-  scoring::Summary summary;         ///< of the values, with the interval that can be shown
-  /// The same of the accuracy by kind of defect, where it is told apart (run::Diagnosis).
-  std::optional<scoring::Summary> kind;
-  /// run::Diagnosis::speed_ratio: there where faults are known in other conditions than tested.
-  std::optional<double> speed_ratio;
-  /// What the paper publishes: of this dataset, or of its counterpart (report/paper_reference.hpp),
-  /// which is for orientation only. At most one of them is there, and none of another classifier.
-  std::optional<double> published;
-  std::optional<double> orientation;
-
-  /// The value of a seed; empty where the row does not have it.
-  [[nodiscard]] std::optional<double> at(std::int64_t seed) const;
-};
-
-/// The row of these cells, which differ in the seed alone and are at least one, without what the
-/// paper publishes.
-AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diagnosis>& cells);
-
-/// A row for each combination of the grid of which `results` have a cell, in its order.
-std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results& results,
-                                       const Published& published);
-
-/// Each method that has a row, once, in the order of the rows.
-std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
-/// Whether the rows have accuracies by kind of defect; then all of them do, but no gains. What the
-/// paper publishes is never of such a dataset.
-bool tell_kinds(const std::vector<AccuracyRow>& rows);
-/// The rows of one method.
-std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);
-
-/// Values of two rows that have the seed in common.
-struct Pairs {
-  std::vector<std::int64_t> seeds;  ///< ascending
-  std::vector<double> first;
-  std::vector<double> second;
-};
-Pairs pairs_of(const AccuracyRow& first, const AccuracyRow& second);
-
-/// What generated windows are worth, in points: for each row the accuracy minus that of `none` by
-/// the same classifier, at the seeds that both have. The published gain is the difference of the
-/// published accuracies. A row that has no seed in common with `none` is left out.
-std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows);
-
-/// accuracy.csv and gains.csv:
-/// dataset,method,classifier,ratio,generated_per_class,seeds,mean,std,ci95_low,ci95_high,published
-/// in percent or points; `seeds` is how many there are. Empty are the standard deviation of a
-/// single seed, an interval that no table shows (report/bounded_summary.hpp), and what the paper
-/// does not publish of this very dataset. Where kinds of defects are told apart, the columns
+/// accuracy.csv and gains.csv: dataset,method,classifier,ratio and the fields of
+/// accuracy_columns(): generated_per_class,seeds,mean,std,ci95_low,ci95_high,published in percent
+/// or points; `seeds` is how many there are. Empty are the standard deviation of a single seed, an
+/// interval that no table shows (report/bounded_summary.hpp), and what the paper does not publish
+/// of this very dataset. Where kinds of defects are told apart, the columns
 /// kind_mean,kind_std,kind_ci95_low,kind_ci95_high follow.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
 /// The accuracies for a terminal, at most 100 columns wide: a table for each classifier.
 std::string accuracy_text(const std::vector<AccuracyRow>& rows);
+
+/// How a table of methods by ratios is made.
+struct MatrixStyle {
+  bool short_ratios = false;       ///< "2:1" instead of "2:1 (3.33:1)"
+  bool marks_fewer_seeds = false;  ///< behind the names of methods
+  std::function<text::Cell(const AccuracyRow&)> cell_of;
+};
+
+/// A method in each row, a ratio in each column; then the bar, where it is known.
+text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
+                         const std::optional<AccuracyRow>& bar, const MatrixStyle& style);
+
+/// The means of all methods side by side; then Tables 6 to 11 of the paper and the gains that it
+/// draws in Figs 15 and 18, or the same for another dataset, with the published numbers beside
+/// ours. Of these the first is without generated windows and has a run in each row. Accuracies and
+/// gains of the compared methods, and those of the ablations, have a block for each method, in
+/// which each ratio has a row. Tables without a row are left out. Every table of
+/// accuracies has the bar, too, where it is known.
+std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
+                                       const Published& published);
+
+/// For a page: the accuracies of one classifier, and the gains over none where there are any, each
+/// as a method in each row and a ratio in each column. A cell has all accuracy_columns(), and says
+/// of how many of the grid's `seeds` it is where that is not all.
+std::vector<Section> ratio_sections(const ClassifierRows& block, std::size_t seeds);
 
 }  // namespace piae::report

@@ -5,11 +5,10 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/classifier_rows.hpp"
-#include "report/csv_fields.hpp"
+#include "report/accuracies.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
-#include "report/paper_reference.hpp"
-#include "report/ratio_columns.hpp"
+#include "report/paper.hpp"
 #include "report/ratio_means.hpp"
 
 namespace piae::report {
@@ -97,15 +96,22 @@ std::vector<Comparisons> compare_by_classifier(const std::vector<AccuracyRow>& r
 }
 
 std::string comparisons_csv(const std::vector<Comparisons>& comparisons) {
-  std::string text =
-      joined_csv_line({{"dataset", "ratio", "method", "classifier", "against"}, paired_header()});
+  struct Line {
+    const Comparisons* of;
+    const PairedRow* row;
+  };
+  std::vector<Line> lines;
   for (const Comparisons& each : comparisons) {
-    for (const PairedRow& row : each.rows) {
-      text += joined_csv_line({{each.dataset, row.ratio, row.method, each.classifier, each.against},
-                               paired_fields(row)});
-    }
+    for (const PairedRow& row : each.rows) lines.push_back({&each, &row});
   }
-  return text;
+  Columns<Line> columns;
+  columns.field("dataset", [](const Line& line) { return line.of->dataset; })
+      .field("ratio", [](const Line& line) { return line.row->ratio; })
+      .field("method", [](const Line& line) { return line.row->method; })
+      .field("classifier", [](const Line& line) { return line.of->classifier; })
+      .field("against", [](const Line& line) { return line.of->against; })
+      .with(paired_columns(), [](const Line& line) { return *line.row; });
+  return columns.table(lines).csv();
 }
 
 std::vector<Section> comparison_sections(const Comparisons& comparisons) {

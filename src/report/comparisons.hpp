@@ -28,7 +28,7 @@ Comparisons compare_methods(const std::vector<AccuracyRow>& rows, const std::str
 std::vector<Comparisons> compare_by_classifier(const std::vector<AccuracyRow>& rows,
                                                const std::string& against);
 
-/// comparisons.csv: dataset,ratio,method,classifier,against and paired_header(). The ratio is
+/// comparisons.csv: dataset,ratio,method,classifier,against and paired_columns(). The ratio is
 /// "mean" for the mean of ratios.
 std::string comparisons_csv(const std::vector<Comparisons>& comparisons);
 

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_means.hpp"
@@ -37,19 +37,33 @@ Names names_of(const Side& with, const Side& without) {
   return names;
 }
 
+/// A line of both sides.
+struct ContrastLine {
+  std::string name;  ///< of the method; empty where the line above has the same
+  const PairedRow* row;
+  const scoring::Summary* with;
+  const scoring::Summary* without;
+};
+
 /// Both sides: a block for each method, and in it a row for each ratio.
 text::Table sides_table(const Contrast& contrast, const Names& names) {
-  text::Table table({"method", "ratio", names.with, names.without}, 2);
+  using Line = ContrastLine;
+  std::vector<Line> lines;
   for (const std::vector<const PairedRow*>& block : blocks_of(contrast.rows)) {
     std::string name = block_label(block, contrast.rows);
     for (const PairedRow* const row : block) {
       const std::size_t i = row - contrast.rows.data();
-      table.row({name, row->ratio_label, mean_label(contrast.with.rows[i].summary),
-                 mean_label(contrast.without.rows[i].summary)});
+      lines.push_back(
+          {name, row, &contrast.with.rows[i].summary, &contrast.without.rows[i].summary});
       name.clear();
     }
   }
-  return table;
+  Columns<Line> columns;
+  columns.words("method", &Line::name)
+      .words("ratio", [](const Line& line) { return line.row->ratio_label; })
+      .numbers(names.with, [](const Line& line) { return mean_cell(*line.with); })
+      .numbers(names.without, [](const Line& line) { return mean_cell(*line.without); });
+  return columns.table(lines);
 }
 
 /// The layout of a folder RUN/DATASET. The folder may end with a slash.
@@ -98,18 +112,24 @@ Contrast contrast(Side with, Side without) {
 }
 
 std::string contrast_csv(const Contrast& contrast) {
-  const Names names = names_of(contrast.with, contrast.without);
-  std::string text = joined_csv_line({{"with", "without", "method", "ratio", "with_mean",
-                                       "with_std", "without_mean", "without_std"},
-                                      paired_header()});
+  using Line = ContrastLine;
+  std::vector<Line> lines;
   for (std::size_t i = 0; i < contrast.rows.size(); ++i) {
-    const PairedRow& row = contrast.rows[i];
-    text += joined_csv_line({{names.with, names.without, row.method, row.ratio},
-                             mean_fields(contrast.with.rows[i].summary),
-                             mean_fields(contrast.without.rows[i].summary),
-                             paired_fields(row)});
+    lines.push_back(
+        {"", &contrast.rows[i], &contrast.with.rows[i].summary, &contrast.without.rows[i].summary});
   }
-  return text;
+  const Names names = names_of(contrast.with, contrast.without);
+  Columns<Line> columns;
+  columns.field("with", [&](const Line&) { return names.with; })
+      .field("without", [&](const Line&) { return names.without; })
+      .field("method", [](const Line& line) { return line.row->method; })
+      .field("ratio", [](const Line& line) { return line.row->ratio; })
+      .summary_fields(
+          "with_mean", "with_", [](const Line& line) { return *line.with; }, false)
+      .summary_fields(
+          "without_mean", "without_", [](const Line& line) { return *line.without; }, false)
+      .with(paired_columns(), [](const Line& line) { return *line.row; });
+  return columns.table(lines).csv();
 }
 
 Document contrast_document(const Contrast& contrast) {

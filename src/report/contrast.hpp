@@ -42,7 +42,7 @@ Contrast contrast(Side with, Side without);
 Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
                        const std::vector<std::string>& leave_out);
 
-/// with,without,method,ratio,with_mean,with_std,without_mean,without_std and paired_header(). The
+/// with,without,method,ratio,with_mean,with_std,without_mean,without_std and paired_columns(). The
 /// sides are named by what differs between them: dataset, protocol, or else the run.
 std::string contrast_csv(const Contrast& contrast);
 /// The same for people.

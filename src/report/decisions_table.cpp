@@ -5,39 +5,30 @@
 #include <algorithm>
 
 #include "report/bounded_summary.hpp"
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
-#include "report/paper_reference.hpp"
-#include "report/shown_rows.hpp"
-#include "text/csv.hpp"
+#include "report/paper.hpp"
 
 namespace piae::report {
 
 namespace {
 
-std::string count_label(double decisions) { return number_label(decisions, {.decimals = 0}); }
+/// Decisions over some number of windows, by one classifier with the windows of one method at one
+/// ratio, over the seeds that have them.
+struct DecisionRow {
+  AccuracyRow row;
+  std::size_t windows = 0;         ///< in a decision
+  double decisions = 0;            ///< mean over the seeds
+  scoring::Summary accuracy = {};  ///< percent
+  scoring::Summary balanced = {};  ///< percent
+};
 
-std::string cell_label(const std::optional<DecisionRow>& decisions, std::size_t seeds) {
-  if (!decisions) return no_number;
-  return marked_if(decisions->balanced.count < seeds, mean_label(decisions->balanced));
-}
-
-std::string fewer_note(bool any_fewer) {
-  if (!any_fewer) return "";
-  return fmt::format(
-      " {} marks means of fewer seeds than the table is of: not each has such records, or its "
-      "A.h5.",
-      mark_of_fewer_seeds);
-}
-
-}  // namespace
-
+/// Of the cells of a row, over this many windows; empty where no seed has such decisions.
 std::optional<DecisionRow> decisions_over(std::size_t windows, const AccuracyRow& row,
                                           const run::Results& results) {
   std::vector<double> accuracies;
   std::vector<double> balanced;
-  DecisionRow decisions;
-  decisions.windows = windows;
+  DecisionRow decisions{.row = row, .windows = windows};
   for (const run::Diagnosis& cell :
        run::diagnoses_of(results, {row.method, row.ratio, row.classifier})) {
     const auto rates = std::ranges::find(cell.decisions, windows, &scoring::DecisionRates::windows);
@@ -53,18 +44,21 @@ std::optional<DecisionRow> decisions_over(std::size_t windows, const AccuracyRow
   return decisions;
 }
 
+text::Cell decisions_cell(const std::optional<DecisionRow>& decisions, std::size_t seeds) {
+  if (!decisions) return no_number;
+  text::Cell cell = mean_cell(decisions->balanced);
+  cell.text = marked_if(decisions->balanced.count < seeds, cell.text);
+  cell.source = fmt::format("{:g} decisions of each of {} seeds", decisions->decisions,
+                            decisions->balanced.count);
+  return cell;
+}
+
 bool has_decisions(const run::Results& results) {
   return std::ranges::any_of(results.diagnoses,
                              [](const run::Diagnosis& cell) { return !cell.decisions.empty(); });
 }
 
-std::string decisions_gap(const run::Results& results) {
-  if (has_decisions(results)) return "";
-  return "Decisions over several windows of a record are left out: the run does not hold the test "
-         "windows (A.h5 of each seed), which say of which record they are.";
-}
-
-std::string decisions_note(const run::Results& results) {
+std::string decisions_note(const run::Results& results, bool any_fewer) {
   const bool are_apart = results.diagnoses.front().protocol == signal::Protocol::random;
   return std::string(
              "Balanced accuracy, the mean over the classes of the share that is "
@@ -75,49 +69,116 @@ std::string decisions_note(const run::Results& results) {
                     : "") +
          ": the class with the largest sum of scores. What fills no group of n is left out; there "
          "is no number where a class has no record with n test windows. Each method is at its "
-         "ratio with the most generated windows; decisions.csv has all, and plain accuracies.";
+         "ratio with the most generated windows; decisions.csv has all, and plain accuracies." +
+         (any_fewer ? fmt::format(
+                          " {} marks means of fewer seeds than the table is of: not each has such "
+                          "records, or its A.h5.",
+                          mark_of_fewer_seeds)
+                    : "");
 }
 
+/// What a classifier says of how sure it is, over the seeds.
+struct ConfidenceRow {
+  std::string name;
+  AccuracyRow row;
+  scoring::Summary calibration_error = {};  ///< percent
+  scoring::Summary answerable = {};         ///< percent of the test windows
+  bool tells = false;                       ///< whether it says so of any seed's windows
+};
+
+/// Of the cells of a row, of which `results` must have one.
+ConfidenceRow confidence_of(const ShownRow& shown, const run::Results& results) {
+  std::vector<double> errors;
+  std::vector<double> shares;
+  ConfidenceRow confidence{.name = shown.name, .row = shown.row};
+  for (const run::Diagnosis& cell :
+       run::diagnoses_of(results, {shown.row.method, shown.row.ratio, shown.row.classifier})) {
+    errors.push_back(100 * cell.confidence.calibration_error);
+    shares.push_back(100 * cell.confidence.answerable);
+    confidence.tells = confidence.tells || cell.confidence.tells;
+  }
+  confidence.calibration_error = summarise_within(percents, errors);
+  confidence.answerable = summarise_within(percents, shares);
+  return confidence;
+}
+
+text::Table confidence_table(const std::vector<ConfidenceRow>& rows) {
+  using Row = ConfidenceRow;
+  const auto cell_of = [](scoring::Summary Row::*summary) {
+    return [summary](const Row& row) {
+      text::Cell cell = mean_cell(row.*summary);
+      cell.source = fmt::format("/scores of {} seeds", (row.*summary).count);
+      return cell;
+    };
+  };
+  Columns<Row> columns;
+  columns.words("method", &Row::name)
+      .words("ratio", [](const Row& row) { return ratio_label(row.row.ratio, row.row.true_ratio); })
+      .numbers("calibration error", cell_of(&Row::calibration_error))
+      .numbers("answered", cell_of(&Row::answerable))
+      .numbers("95 % interval", [](const Row& row) { return interval_label(row.answerable); })
+      .name_fields(&Row::row)
+      .field("seeds", [](const Row& row) { return count_cell(row.answerable.count); })
+      .summary_fields("calibration_error_mean", "calibration_error_", &Row::calibration_error)
+      .summary_fields("answerable_mean", "answerable_", &Row::answerable)
+      .field("tells", [](const Row& row) { return row.tells ? "1" : "0"; });
+  return columns.table(rows);
+}
+
+/// `silent` are the names of the rows in which nothing is said of how sure the classifier is.
+std::string confidence_note(const std::vector<std::string>& silent) {
+  return fmt::format(
+             "Calibration error: how far the score of the class that is named is from how often it "
+             "is right, the mean over ten bins of a seed's test windows. Answered: the largest "
+             "share of the test windows that may be answered, those with the least score being "
+             "refused first, so that at least {} % of the answers are right; 100 where none need "
+             "be refused, 0 where no threshold does it. The threshold is read off the same "
+             "windows: it says how well the scores rank them, not what a user would get.",
+             scoring::wanted_precision_percent) +
+         (silent.empty() ? ""
+                         : fmt::format(" Nothing is said of how sure the answers of {} are: all "
+                                       "windows are answered, or none.",
+                                       listed(silent)));
+}
+
+}  // namespace
+
 std::string decisions_csv(const std::vector<AccuracyRow>& rows, const run::Results& results) {
-  std::string text =
-      text::csv_line({"dataset", "method", "classifier", "ratio", "windows", "seeds", "decisions",
-                      "mean", "std", "ci95_low", "ci95_high", "balanced_mean", "balanced_std",
-                      "balanced_ci95_low", "balanced_ci95_high"});
+  std::vector<DecisionRow> all;
   for (const AccuracyRow& row : rows) {
     for (const std::size_t windows : scoring::decided_windows) {
-      const std::optional<DecisionRow> decisions = decisions_over(windows, row, results);
-      if (!decisions) continue;
-      text += joined_csv_line(
-          {{row.dataset, row.method, row.classifier, row.ratio, std::to_string(windows),
-            std::to_string(decisions->accuracy.count), fmt::format("{:g}", decisions->decisions)},
-           mean_fields(decisions->accuracy),
-           interval_fields(decisions->accuracy),
-           mean_fields(decisions->balanced),
-           interval_fields(decisions->balanced)});
+      if (auto decisions = decisions_over(windows, row, results)) all.push_back(*decisions);
     }
   }
-  return text;
+  using Row = DecisionRow;
+  Columns<Row> columns;
+  columns.name_fields(&Row::row)
+      .field("windows", [](const Row& row) { return count_cell(row.windows); })
+      .field("seeds", [](const Row& row) { return count_cell(row.accuracy.count); })
+      .field("decisions", [](const Row& row) { return fmt::format("{:g}", row.decisions); })
+      .summary_fields("mean", "", &Row::accuracy)
+      .summary_fields("balanced_mean", "balanced_", &Row::balanced);
+  return columns.table(all).csv();
 }
 
 std::vector<Section> decision_sections(const ClassifierRows& block, const run::Results& results) {
   if (!has_decisions(results)) return {};
-  std::vector<std::string> header{"method", "ratio"};
-  std::vector<std::string> counts{"decisions of a seed", ""};
+  text::Table table({"method", "ratio"}, 2);
+  text::Cells counts{"decisions of a seed", ""};
   bool any_fewer = false;
   for (const std::size_t windows : scoring::decided_windows) {
-    header.push_back(fmt::format("{} window{}", windows, windows == 1 ? "" : "s"));
+    table.column({counted(windows, "window"), true});
     const auto of_any = decisions_over(windows, block.rows.front(), results);
-    counts.push_back(of_any ? count_label(of_any->decisions) : no_number);
+    counts.push_back(of_any ? number_label(of_any->decisions, {.decimals = 0}) : no_number);
   }
-  text::Table table(header, 2);
   for (const auto& [name, row] : rows_with_most_windows(block)) {
-    std::vector<std::string> cells{name, ratio_label(row.ratio, row.true_ratio)};
+    text::Cells cells{name, ratio_label(row.ratio, row.true_ratio)};
     for (const std::size_t windows : scoring::decided_windows) {
       const std::optional<DecisionRow> decisions = decisions_over(windows, row, results);
       any_fewer = any_fewer || (decisions && decisions->balanced.count < row.seeds.size());
-      cells.push_back(cell_label(decisions, row.seeds.size()));
+      cells.push_back(decisions_cell(decisions, row.seeds.size()));
     }
-    table.row(cells);
+    table.row(std::move(cells), looks_of(row.method));
   }
   table.row(counts);
   const std::string& dataset = block.rows.front().dataset;
@@ -125,7 +186,35 @@ std::vector<Section> decision_sections(const ClassifierRows& block, const run::R
               .none()
               .of({"decisions",
                    "Decisions over several windows of a record on " + dataset + ", percent",
-                   decisions_note(results) + fewer_note(any_fewer), table})};
+                   decisions_note(results, any_fewer), table})};
+}
+
+std::string decisions_gap(const run::Results& results) {
+  if (has_decisions(results)) return "";
+  return "Decisions over several windows of a record are left out: the run does not hold the test "
+         "windows (A.h5 of each seed), which say of which record they are.";
+}
+
+std::string confidence_csv(const std::vector<AccuracyRow>& rows, const run::Results& results) {
+  std::vector<ConfidenceRow> all;
+  for (const AccuracyRow& row : rows) all.push_back(confidence_of({row.method, row}, results));
+  return confidence_table(all).csv();
+}
+
+std::vector<Section> confidence_sections(const ClassifierRows& block, const run::Results& results) {
+  std::vector<ConfidenceRow> rows;
+  std::vector<std::string> silent;
+  for (const ShownRow& shown : rows_with_most_windows(block)) {
+    rows.push_back(confidence_of(shown, results));
+    if (!rows.back().tells) silent.push_back(shown.name);
+  }
+  const std::string& dataset = block.rows.front().dataset;
+  return {PaperReference(dataset, block.classifier)
+              .none()
+              .of({"confidence",
+                   fmt::format("What may be answered at {} % precision on {}, percent",
+                               scoring::wanted_precision_percent, dataset),
+                   confidence_note(silent), confidence_table(rows)})};
 }
 
 }  // namespace piae::report

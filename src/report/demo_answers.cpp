@@ -9,7 +9,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/accuracies.hpp"
 #include "report/labels.hpp"
 #include "text/wrap.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
 #include "run/collect.hpp"
 
 namespace piae::report {

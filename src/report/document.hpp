@@ -13,6 +13,9 @@ struct Section {
   std::string title;  ///< without a full stop
   std::string note;   ///< one paragraph; empty where there is nothing to say
   text::Table table;
+  /// Sentences, each of which says what the table shows. They stand before the note in a document,
+  /// and above the table on a page.
+  std::vector<std::string> findings = {};
 };
 
 /// Tables with what must be said of them. It is put together once, and written as Markdown and

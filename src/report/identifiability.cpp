@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "scoring/identifiability.hpp"
@@ -91,19 +91,43 @@ IdentifiabilityRow identifiability_row(const std::vector<Identification>& all,
           .correlation2 = scoring::summarise(correlation2)};
 }
 
-text::Table agreement_table(const std::vector<IdentifiabilityRow>& rows) {
-  text::Table table({"method", "parameter", "class", "R²", "bias, %", "correlation²"}, 3);
-  for (const IdentifiabilityRow& row : rows) {
-    const bool first = row.class_name == "all";
-    scoring::Summary percent = row.bias;
-    percent.mean *= 100;
-    if (percent.deviation) *percent.deviation *= 100;
-    table.row({first && row.parameter == parameters.front().name ? row.method : "",
-               first ? row.parameter : "", row.class_name, mean_label(row.r2, {.decimals = 3}),
-               mean_label(percent, {.decimals = 1, .sign = true}),
-               mean_label(row.correlation2, {.decimals = 3})});
-  }
-  return table;
+/// For people each method and parameter stands in its first line alone.
+text::Table agreement_table(const std::string& dataset,
+                            const std::vector<IdentifiabilityRow>& rows) {
+  using Row = IdentifiabilityRow;
+  const auto name = [](const std::string& text, bool is_first) {
+    text::Cell cell = is_first ? text : "";
+    cell.field = text;
+    return cell;
+  };
+  const auto is_first = [](const Row& row) { return row.class_name == "all"; };
+  Columns<Row> columns;
+  columns.field("dataset", [&](const Row&) { return dataset; })
+      .words(
+          "method",
+          [=](const Row& row) {
+            return name(row.method, is_first(row) && row.parameter == parameters.front().name);
+          },
+          "method")
+      .words(
+          "parameter", [=](const Row& row) { return name(row.parameter, is_first(row)); },
+          "parameter")
+      .words("class", &Row::class_name, "class")
+      .field("seeds", [](const Row& row) { return count_cell(row.r2.count); })
+      .summary_fields("r2_mean", "r2_", &Row::r2, false)
+      .summary_fields("bias_mean", "bias_", &Row::bias, false)
+      .summary_fields("correlation2_mean", "correlation2_", &Row::correlation2, false)
+      .numbers("R²", [](const Row& row) { return mean_cell(row.r2, {.decimals = 3}); })
+      .numbers("bias, %",
+               [](const Row& row) {
+                 scoring::Summary percent = row.bias;
+                 percent.mean *= 100;
+                 if (percent.deviation) *percent.deviation *= 100;
+                 return mean_cell(percent, {.decimals = 1, .sign = true});
+               })
+      .numbers("correlation²",
+               [](const Row& row) { return mean_cell(row.correlation2, {.decimals = 3}); });
+  return columns.table(rows);
 }
 
 /// The scatter of one parameter over the windows of all seeds together.
@@ -187,17 +211,7 @@ std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identific
 
 std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows) {
-  std::string text =
-      text::csv_line({"dataset", "method", "parameter", "class", "seeds", "r2_mean", "r2_std",
-                      "bias_mean", "bias_std", "correlation2_mean", "correlation2_std"});
-  for (const IdentifiabilityRow& row : rows) {
-    text += joined_csv_line(
-        {{dataset, row.method, row.parameter, row.class_name, std::to_string(row.r2.count)},
-         mean_fields(row.r2),
-         mean_fields(row.bias),
-         mean_fields(row.correlation2)});
-  }
-  return text;
+  return agreement_table(dataset, rows).csv();
 }
 
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all) {
@@ -233,7 +247,7 @@ Document identifiability_document(const std::string& dataset,
        "R² is 1 where both are the same, 0 where naming the true mean would do as well, below 0 "
        "where it would do better. Correlation² is what R² could reach if the inferred values were "
        "calibrated by the truth. Mean ± sample standard deviation over the seeds.",
-       agreement_table(rows)});
+       agreement_table(dataset, rows)});
   for (const Parameter& parameter : parameters) {
     document.sections.push_back(scatter_section(all, parameter));
   }

@@ -30,6 +30,10 @@ std::string method_label(const std::string& method) {
   return augment::is_ceiling(method) ? method + " (ceiling)" : method;
 }
 
+std::string looks_of(const std::string& method) {
+  return augment::is_ceiling(method) ? "ceiling" : "";
+}
+
 std::string marked_if(bool fewer_seeds, const std::string& label) {
   return fewer_seeds ? label + " " + mark_of_fewer_seeds : label;
 }
@@ -55,6 +59,14 @@ std::string ratio_label(const std::string& name, std::optional<double> true_rati
   if (!true_ratio) return label + " (no faults)";
   const bool as_named = std::abs(*true_ratio - named) < 0.005 * named;
   return as_named ? label : fmt::format("{} ({:.3g}:1)", label, *true_ratio);
+}
+
+std::string four_decimals(std::optional<double> number) {
+  return number ? fmt::format("{:.4f}", *number) : "";
+}
+
+std::string counted(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
 }  // namespace piae::report

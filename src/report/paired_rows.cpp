@@ -10,15 +10,12 @@
 
 #include "augment/catalogue.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/csv_fields.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_means.hpp"
 
 namespace piae::report {
 
 namespace {
-
-using Cells = std::vector<std::string>;
 
 constexpr NumberStyle difference_style{.decimals = 2, .sign = true};
 
@@ -135,20 +132,27 @@ double least_p_of(const PairedRow& row, const std::vector<PairedRow>& rows) {
   return smallest_corrected_p(row.paired.difference.count, family_of(row, rows));
 }
 
-Cells paired_header() {
-  return {"seeds", "mean_difference", "ci95_low", "ci95_high", "rank_biserial", "p", "p_holm"};
-}
-
-Cells paired_fields(const PairedRow& row) {
-  const scoring::Summary& difference = row.paired.difference;
-  Cells fields{std::to_string(difference.count), four_decimals(difference.mean)};
-  std::ranges::move(interval_fields(difference), std::back_inserter(fields));
-  const Cells test = is_tested(row) ? Cells{four_decimals(row.paired.rank_biserial),
-                                            fmt::format("{:.6g}", *row.paired.p),
-                                            row.p_holm ? fmt::format("{:.6g}", *row.p_holm) : ""}
-                                    : Cells{"", "", ""};
-  fields.insert(fields.end(), test.begin(), test.end());
-  return fields;
+Columns<PairedRow> paired_columns() {
+  using Row = PairedRow;
+  const auto six_digits = [](std::optional<double> p) {
+    return p ? fmt::format("{:.6g}", *p) : "";
+  };
+  Columns<Row> columns;
+  columns.field("seeds", [](const Row& row) { return count_cell(row.paired.difference.count); })
+      .field("mean_difference", [](const Row& row) { return mean_cell(row.paired.difference); })
+      .field("ci95_low", [](const Row& row) { return interval_cell(row.paired.difference); })
+      .field("ci95_high",
+             [](const Row& row) {
+               const auto& interval = row.paired.difference.interval;
+               return interval ? four_decimals(interval->high) : "";
+             })
+      .field("rank_biserial",
+             [](const Row& row) {
+               return is_tested(row) ? four_decimals(row.paired.rank_biserial) : "";
+             })
+      .field("p", [=](const Row& row) { return six_digits(row.paired.p); })
+      .field("p_holm", [=](const Row& row) { return six_digits(row.p_holm); });
+  return columns;
 }
 
 std::vector<std::vector<const PairedRow*>> blocks_of(const std::vector<PairedRow>& rows) {
@@ -173,18 +177,18 @@ std::string block_label(const std::vector<const PairedRow*>& block,
 text::Table paired_table(const std::vector<PairedRow>& rows) {
   const bool intervals = std::ranges::any_of(rows, has_an_interval);
   const bool tests = std::ranges::any_of(rows, is_tested);
-  Cells header{"method", "ratio", "difference"};
-  if (intervals) header.emplace_back("95 % interval");
-  if (tests) header.insert(header.end(), {"effect", "p (Holm)"});
-  text::Table table(header, 2);
+  std::vector<std::string> headings{"method", "ratio", "difference"};
+  if (intervals) headings.emplace_back("95 % interval");
+  if (tests) headings.insert(headings.end(), {"effect", "p (Holm)"});
+  text::Table table(headings, 2);
   for (const std::vector<const PairedRow*>& block : blocks_of(rows)) {
     std::string name = block_label(block, rows);
     for (const PairedRow* const row : block) {
       const scoring::Summary& difference = row->paired.difference;
-      Cells cells{name, row->ratio_label, mean_label(difference, difference_style)};
-      if (intervals) cells.push_back(interval_label(difference, difference_style));
+      text::Cells cells{name, row->ratio_label, mean_cell(difference, difference_style)};
+      if (intervals) cells.push_back(interval_cell(difference, difference_style));
       if (tests) cells.insert(cells.end(), {effect_label(*row), p_label(*row)});
-      table.row(cells);
+      table.row(std::move(cells));
       name.clear();
     }
   }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
+#include "report/columns.hpp"
 #include "scoring/paired.hpp"
-#include "text/table.hpp"
 
 namespace piae::report {
 
@@ -39,11 +39,10 @@ void add_holm_p(std::vector<PairedRow>& rows);
 /// family by its size, and corrects no other to less than that one.
 double least_p_of(const PairedRow& row, const std::vector<PairedRow>& rows);
 
-/// Fields of a CSV file: seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_holm. All but
-/// the first two are empty for a single seed, the interval for fewer than three
+/// The columns of CSV files: seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_holm. All
+/// but the first two are empty for a single seed, the interval for fewer than three
 /// (report/bounded_summary.hpp), and p_holm for a ceiling.
-std::vector<std::string> paired_header();
-std::vector<std::string> paired_fields(const PairedRow& row);
+Columns<PairedRow> paired_columns();
 
 /// The rows of each method together; they point into `rows`.
 std::vector<std::vector<const PairedRow*>> blocks_of(const std::vector<PairedRow>& rows);

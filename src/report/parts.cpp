@@ -5,10 +5,9 @@
 #include <algorithm>
 
 #include "report/bounded_summary.hpp"
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
-#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -27,22 +26,8 @@ std::vector<SweepRow> moved_rows(const std::vector<PartRow>& rows) {
   return moved;
 }
 
-std::vector<std::string> difference_fields(const PartRow& row) {
-  if (!row.difference) return {"0", "", "", "", ""};
-  const scoring::Summary& difference = row.difference->paired.difference;
-  std::vector<std::string> fields{std::to_string(difference.count)};
-  for (const auto& group : {mean_fields(difference), interval_fields(difference)}) {
-    fields.insert(fields.end(), group.begin(), group.end());
-  }
-  return fields;
-}
-
-std::vector<std::string> kind_fields(const PartRow& row) {
-  if (!tells_kinds(row)) return {};
-  std::vector<std::string> fields = mean_fields(*row.moved.accuracy.kind);
-  const std::vector<std::string> interval = interval_fields(*row.moved.accuracy.kind);
-  fields.insert(fields.end(), interval.begin(), interval.end());
-  return fields;
+std::optional<scoring::Summary> difference_of(const PartRow& row) {
+  return row.difference ? std::optional(row.difference->paired.difference) : std::nullopt;
 }
 
 std::string setting_label(const SweepPoint& point) {
@@ -104,39 +89,27 @@ std::vector<PartRow> part_rows(const std::vector<SweepRow>& rows) {
 }
 
 std::string parts_csv(const Sweep& sweep, const std::vector<PartRow>& rows) {
-  std::vector<std::string> header{"dataset",
-                                  "method",
-                                  "classifier",
-                                  "factor",
-                                  "value",
-                                  "centre",
-                                  "ratio",
-                                  "seeds",
-                                  "mean",
-                                  "std",
-                                  "ci95_low",
-                                  "ci95_high",
-                                  "pairs",
-                                  "difference",
-                                  "difference_std",
-                                  "difference_ci95_low",
-                                  "difference_ci95_high"};
+  using Row = PartRow;
+  const auto pairs = [](const Row& row) {
+    return count_cell(difference_of(row).value_or(scoring::Summary()).count);
+  };
+  Columns<Row> columns;
+  columns.field("dataset", [&](const Row&) { return sweep.grid.dataset; })
+      .field("method", [&](const Row&) { return sweep.method; })
+      .field("classifier", [&](const Row&) { return sweep.classifier; })
+      .field("factor", [](const Row& row) { return row.moved.point.factor; })
+      .field("value", [](const Row& row) { return row.moved.point.value; })
+      .field("centre", [](const Row& row) { return row.moved.point.centre ? "1" : "0"; })
+      .field("ratio", [](const Row& row) { return row.moved.accuracy.ratio; })
+      .field("seeds", [](const Row& row) { return count_cell(row.moved.accuracy.summary.count); })
+      .summary_fields("mean", "", [](const Row& row) { return row.moved.accuracy.summary; })
+      .field("pairs", pairs)
+      .summary_fields("difference", "difference_", difference_of);
   if (std::ranges::any_of(rows, tells_kinds)) {
-    header.insert(header.end(), {"kind_mean", "kind_std", "kind_ci95_low", "kind_ci95_high"});
+    columns.summary_fields("kind_mean", "kind_",
+                           [](const Row& row) { return row.moved.accuracy.kind; });
   }
-  std::string text = text::csv_line(header);
-  for (const PartRow& row : rows) {
-    const SweepPoint& point = row.moved.point;
-    const scoring::Summary& summary = row.moved.accuracy.summary;
-    text += joined_csv_line(
-        {{sweep.grid.dataset, sweep.method, sweep.classifier, point.factor, point.value,
-          point.centre ? "1" : "0", row.moved.accuracy.ratio, std::to_string(summary.count)},
-         mean_fields(summary),
-         interval_fields(summary),
-         difference_fields(row),
-         kind_fields(row)});
-  }
-  return text;
+  return columns.table(rows).csv();
 }
 
 Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,

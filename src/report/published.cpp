@@ -5,7 +5,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/paper_methods.hpp"
+#include "report/paper.hpp"
 #include "run/grid.hpp"
 #include "scoring/ratios.hpp"
 #include "text/csv.hpp"

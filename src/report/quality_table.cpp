@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "report/labels.hpp"
-#include "report/paper_methods.hpp"
-#include "report/paper_reference.hpp"
+#include "report/paper.hpp"
 #include "scoring/statistics.hpp"
 #include "text/csv.hpp"
 

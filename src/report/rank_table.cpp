@@ -8,10 +8,10 @@
 #include <set>
 
 #include "augment/catalogue.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/accuracies.hpp"
 #include "report/labels.hpp"
 #include "report/largest_block.hpp"
-#include "report/paper_reference.hpp"
+#include "report/paper.hpp"
 #include "text/csv.hpp"
 
 namespace piae::report {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "report/accuracies.hpp"
 #include "report/document.hpp"
-#include "report/ratio_columns.hpp"
 #include "scoring/ranks.hpp"
 
 namespace piae::report {

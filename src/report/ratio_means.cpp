@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
+#include "report/accuracies.hpp"
 #include "report/bounded_summary.hpp"
 #include "report/largest_block.hpp"
-#include "report/ratio_columns.hpp"
 
 namespace piae::report {
 

@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "augment/catalogue.hpp"
 #include "base/error.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "run/collect.hpp"
 #include "scoring/ratios.hpp"
 

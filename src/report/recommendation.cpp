@@ -5,10 +5,10 @@
 
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "report/accuracies.hpp"
 #include "report/bounded_summary.hpp"
 #include "report/labels.hpp"
 #include "report/largest_block.hpp"
-#include "report/ratio_columns.hpp"
 
 namespace piae::report {
 

@@ -2,37 +2,247 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "report/csv_fields.hpp"
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+
+#include "augment/catalogue.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
-#include "report/paper_reference.hpp"
-#include "report/recommendation_words.hpp"
-#include "text/csv.hpp"
+#include "report/paper.hpp"
 
 namespace piae::report {
 
 namespace {
 
-std::string recommendation_note(const Recommendation& recommendation) {
-  std::string note;
-  for (const std::string& sentence : recommendation_sentences(recommendation)) {
-    note += sentence + " ";
-  }
-  const std::string left_out = not_compared_note(recommendation);
-  return note + (left_out.empty() ? "" : left_out + " ") + about_efforts +
-         " What each step took here is in run.html of the run.";
+constexpr NumberStyle in_points{.decimals = 1, .sign = true};
+
+/// How to read the table by effort.
+constexpr const char* about_efforts =
+    "Each line is the most accurate of those that take the same to be made or trained; a ceiling "
+    "is not among them. Behind: points minus the best; p, of what takes less than the best: "
+    "Wilcoxon's signed-rank test, two-sided and exact, with Holm's correction over these lines. "
+    "Recommended is the line that takes least and is not significantly worse than the best; the "
+    "best, where so few seeds cannot tell. Chosen and measured on the same test windows: expect a "
+    "little less elsewhere. What each step took here is in run.html of the run.";
+
+/// What an effort is called in tables, and what it costs, by effort.
+struct EffortWords {
+  const char* label;
+  const char* costs;
+};
+constexpr std::array<EffortWords, 6> words_of_efforts{{
+    {"nothing", "It costs nothing beforehand: no window is generated, and nothing is trained."},
+    {"windows", "It costs the generating of windows; nothing is trained."},
+    {"classifier", "It costs the training of the classifier; no window is generated."},
+    {"windows + classifier",
+     "It costs the training of the classifier; windows are generated without training."},
+    {"generator", "It costs the training of a generator; the classifier needs none."},
+    {"generator + classifier", "It costs the training of a generator and of the classifier."},
+}};
+
+const EffortWords& words_of(Effort effort) {
+  return words_of_efforts.at(static_cast<std::size_t>(effort));
 }
 
-text::Table table_by_effort(const Recommendation& of) {
-  text::Table table(
-      {"it takes", "most accurate", "take", "accuracy %", "95 % interval", "behind", "p"}, 3);
-  for (std::size_t i = 0; i < of.by_effort.size(); ++i) {
-    const Candidate& each = of.by_effort[i];
-    table.row({effort_label(each.effort), name_of(each, of), i == of.taken ? "yes" : "",
-               number_label(each.row.summary.mean, percent_style),
-               interval_label(each.row.summary, percent_style), behind_label(each),
-               holm_label(each)});
+std::string counted_seeds(const Candidate& candidate) {
+  return counted(candidate.row.seeds.size(), "seed");
+}
+
+/// "95 % interval 94.0 to 96.4, "; empty where there is none.
+std::string interval_words(const scoring::Summary& summary, NumberStyle style) {
+  if (!summary.interval) return "";
+  return fmt::format("95 % interval {} to {}, ", number_label(summary.interval->low, style),
+                     number_label(summary.interval->high, style));
+}
+
+std::string what_to_take(const Recommendation& of) {
+  const Candidate& taken = of.recommended();
+  const AccuracyRow& row = taken.row;
+  const std::string windows =
+      row.method == augment::no_method
+          ? "without any generated window"
+          : fmt::format("with {} generated windows of each fault", row.generated_per_class);
+  return fmt::format("Recommended on {}: {}, right in {:.1f} % of the test windows ({}{}), {}.",
+                     of.dataset, name_of(taken, of), row.summary.mean,
+                     interval_words(row.summary, percent_style), counted_seeds(taken), windows);
+}
+
+/// "none by nearest (-33.4 points, p 0.01)", of all of these that take less than the best.
+std::string listed_behind(const Recommendation& of, std::span<const Candidate> candidates,
+                          bool with_p) {
+  std::vector<std::string> words;
+  for (const Candidate& each : candidates) {
+    const std::string p = with_p ? fmt::format(", p {:.2g}", *each.behind->p_holm) : "";
+    words.push_back(fmt::format("{} ({} points{})", name_of(each, of),
+                                number_label(each.behind->paired.difference.mean, in_points), p));
   }
-  return table;
+  return listed(words);
+}
+
+/// The best is taken.
+std::string why_the_best(const Recommendation& of) {
+  if (of.compared == 1) return "Nothing else was compared.";
+  const std::string most =
+      fmt::format("It is the most accurate of the {} that were compared", of.compared);
+  const std::span less = std::span(of.by_effort).first(of.best);
+  if (less.empty()) return most + ", and none takes less.";
+  if (!of.can_tell) {
+    return fmt::format(
+        "{}. Whether what takes less is as good, {} cannot tell: {}. At least {} "
+        "seeds could.",
+        most, counted_seeds(of.most_accurate()), listed_behind(of, less, false),
+        of.seeds_to_tell());
+  }
+  return most + ", and what takes less is significantly worse: " + listed_behind(of, less, true) +
+         ".";
+}
+
+/// Something is taken that takes less than the best.
+std::string why_not_the_best(const Recommendation& of) {
+  const PairedRow& behind = *of.recommended().behind;
+  const std::span still_less = std::span(of.by_effort).first(of.taken);
+  return fmt::format(
+             "The most accurate of the {} that were compared is {} ({:.1f} %), but {} is not "
+             "significantly worse ({} points, {}p {:.2g}), and takes less: {} instead of {}.",
+             of.compared, name_of(of.most_accurate(), of), of.most_accurate().row.summary.mean,
+             name_of(of.recommended(), of), number_label(behind.paired.difference.mean, in_points),
+             interval_words(behind.paired.difference, in_points), *behind.p_holm,
+             words_of(of.recommended().effort).label, words_of(of.most_accurate().effort).label) +
+         (still_less.empty() ? ""
+                             : " What takes still less is significantly worse: " +
+                                   listed_behind(of, still_less, true) + ".");
+}
+
+/// The class of which the least is recognised; empty where all are recognised, or none is tested.
+std::string least_recognised(const Recommendation& of) {
+  const scoring::Confusion& confusion = of.recommended().confusion;
+  std::string least;
+  double percent = 100;
+  for (std::size_t truth = 0; truth < confusion.classes; ++truth) {
+    const scoring::Share recall = scoring::recall_of(confusion, truth);
+    if (recall.of == 0 || recall.percent() >= percent) continue;
+    percent = recall.percent();
+    least = of.classes[truth].name;
+  }
+  return least.empty()
+             ? ""
+             : fmt::format(" Of the classes {} is recognised least, in {:.1f} %.", least, percent);
+}
+
+std::string what_it_gets_wrong(const Recommendation& of) {
+  const scoring::Confusion& confusion = of.recommended().confusion;
+  const scoring::Share missed = scoring::missed_faults(confusion, of.classes);
+  const scoring::Share alarms = scoring::false_alarms(confusion, of.classes);
+  std::vector<std::string> parts;
+  if (missed.of > 0) {
+    parts.push_back(
+        fmt::format("{:.1f} % of the fault windows for healthy (missed faults)", missed.percent()));
+  }
+  if (alarms.of > 0) {
+    parts.push_back(fmt::format("{:.1f} % of the healthy {} for a fault (false alarms)",
+                                alarms.percent(), missed.of > 0 ? "ones" : "windows"));
+  }
+  return parts.empty() ? "" : "It takes " + listed(parts) + "." + least_recognised(of);
+}
+
+/// A line of the table by effort, or by ratio.
+struct EffortRow {
+  const Recommendation* of;
+  std::size_t i;
+  [[nodiscard]] const Candidate& candidate() const { return of->by_effort[i]; }
+  [[nodiscard]] const scoring::Summary& summary() const { return candidate().row.summary; }
+  [[nodiscard]] scoring::Share missed() const {
+    return scoring::missed_faults(candidate().confusion, of->classes);
+  }
+  [[nodiscard]] scoring::Share alarms() const {
+    return scoring::false_alarms(candidate().confusion, of->classes);
+  }
+};
+
+using EffortColumns = Columns<EffortRow>;
+
+std::string effort_row_name(const EffortRow& row) { return name_of(row.candidate(), *row.of); }
+
+text::Cell accuracy_of(const EffortRow& row) {
+  text::Cell cell = number_cell(row.summary().mean, percent_style);
+  cell.source =
+      fmt::format("attribute accuracy of {} diagnoses at {}", row.candidate().row.seeds.size(),
+                  short_ratio_label(row.candidate().row.ratio));
+  return cell;
+}
+
+text::Cell interval_of(const EffortRow& row) {
+  return interval_label(row.summary(), percent_style);
+}
+
+text::Cell taken_cell(const EffortRow& row) {
+  const bool is_taken = row.i == row.of->taken;
+  text::Cell cell = is_taken ? "yes" : "";
+  cell.field = is_taken ? "1" : "0";
+  cell.looks = is_taken ? "helps" : "";
+  return cell;
+}
+
+/// "-3.2" points; no_number for the best itself.
+text::Cell behind_cell(const EffortRow& row) {
+  const auto& of = row.candidate().behind;
+  text::Cell cell = of ? number_label(of->paired.difference.mean, in_points) : no_number;
+  cell.field = of ? four_decimals(of->paired.difference.mean) : "";
+  return cell;
+}
+
+/// Holm's p; no_number where nothing is asked.
+text::Cell holm_cell(const EffortRow& row) {
+  const auto& of = row.candidate().behind;
+  const bool is_tested = of && of->p_holm;
+  text::Cell cell = is_tested ? fmt::format("{:.3g}", *of->p_holm) : no_number;
+  cell.field = is_tested ? fmt::format("{:.6g}", *of->p_holm) : "";
+  return cell;
+}
+
+/// Each effort at one ratio; for CSV, which has more columns, those at each ratio.
+text::Table table_by_effort(const std::vector<EffortRow>& rows) {
+  EffortColumns columns;
+  const auto row_of = [](const EffortRow& row) { return row.candidate().row; };
+  columns.field("dataset", [](const EffortRow& row) { return row.of->dataset; })
+      .field("ratio", [](const EffortRow& row) { return row.of->ratio; })
+      .words(
+          "it takes", [](const EffortRow& row) { return words_of(row.candidate().effort).label; },
+          "effort")
+      .words("most accurate", effort_row_name)
+      .words("take", taken_cell)
+      .field("method", [=](const EffortRow& row) { return row_of(row).method; })
+      .field("classifier", [=](const EffortRow& row) { return row_of(row).classifier; })
+      .field("seeds", [=](const EffortRow& row) { return count_cell(row_of(row).seeds.size()); })
+      .summary_fields("mean", "", &EffortRow::summary)
+      .numbers("accuracy %", accuracy_of)
+      .numbers("95 % interval", interval_of)
+      .numbers("behind", behind_cell, "behind")
+      .numbers("p", holm_cell, "p_holm")
+      .add({"missed faults", true, "missed_faults", text::Shown::on_pages},
+           [](const EffortRow& row) { return share_cell(row.missed()); })
+      .add({"false alarms", true, "false_alarms", text::Shown::on_pages},
+           [](const EffortRow& row) { return share_cell(row.alarms()); })
+      .field("best", [](const EffortRow& row) { return row.i == row.of->best ? "1" : "0"; })
+      .field("recommended", taken_cell);
+  return columns.table(rows);
+}
+
+std::vector<std::string> findings_of(const Recommendation& of) {
+  std::vector<std::string> sentences = recommendation_sentences(of);
+  if (!of.left_out.empty()) {
+    sentences.push_back(
+        "Not compared, for they lack seeds that the others have: " + listed(of.left_out) + ".");
+  }
+  return sentences;
+}
+
+std::vector<EffortRow> efforts_of(const Recommendation& of) {
+  std::vector<EffortRow> rows;
+  for (std::size_t i = 0; i < of.by_effort.size(); ++i) rows.push_back({&of, i});
+  return rows;
 }
 
 text::Table table_by_class(const Recommendation& of) {
@@ -40,45 +250,42 @@ text::Table table_by_class(const Recommendation& of) {
   const scoring::Confusion& confusion = of.recommended().confusion;
   for (std::size_t truth = 0; truth < confusion.classes; ++truth) {
     const scoring::Share recall = scoring::recall_of(confusion, truth);
-    table.row({of.classes[truth].name, std::to_string(recall.of), share_label(recall)});
+    table.row({of.classes[truth].name, count_cell(recall.of), recall_cell(recall)});
   }
   return table;
 }
 
 text::Table table_by_ratio(const std::vector<Recommendation>& all) {
-  text::Table table(
-      {"ratio", "take", "accuracy %", "95 % interval", "missed faults", "false alarms"}, 2);
-  for (const Recommendation& each : all) {
-    const Candidate& taken = each.recommended();
-    table.row({each.ratio_label, name_of(taken, each),
-               number_label(taken.row.summary.mean, percent_style),
-               interval_label(taken.row.summary, percent_style),
-               share_label(scoring::missed_faults(taken.confusion, each.classes)),
-               share_label(scoring::false_alarms(taken.confusion, each.classes))});
-  }
-  return table;
-}
-
-std::string percent_field(const scoring::Share& share) {
-  return share.of == 0 ? "" : four_decimals(share.percent());
-}
-
-std::string csv_line_of(const Recommendation& of, std::size_t i) {
-  const Candidate& each = of.by_effort[i];
-  const AccuracyRow& row = each.row;
-  const auto& behind = each.behind;
-  return joined_csv_line({{of.dataset, of.ratio, effort_label(each.effort), row.method,
-                           row.classifier, std::to_string(row.seeds.size())},
-                          mean_fields(row.summary),
-                          interval_fields(row.summary),
-                          {behind ? four_decimals(behind->paired.difference.mean) : "",
-                           behind && behind->p_holm ? fmt::format("{:.6g}", *behind->p_holm) : "",
-                           percent_field(scoring::missed_faults(each.confusion, of.classes)),
-                           percent_field(scoring::false_alarms(each.confusion, of.classes)),
-                           i == of.best ? "1" : "0", i == of.taken ? "1" : "0"}});
+  std::vector<EffortRow> rows;
+  for (const Recommendation& each : all) rows.push_back({&each, each.taken});
+  EffortColumns columns;
+  columns.words("ratio", [](const EffortRow& row) { return row.of->ratio_label; })
+      .words("take", effort_row_name)
+      .numbers("accuracy %", accuracy_of)
+      .numbers("95 % interval", interval_of)
+      .numbers("missed faults", [](const EffortRow& row) { return share_cell(row.missed()); })
+      .numbers("false alarms", [](const EffortRow& row) { return share_cell(row.alarms()); });
+  return columns.table(rows);
 }
 
 }  // namespace
+
+std::string name_of(const Candidate& candidate, const Recommendation& of) {
+  const AccuracyRow& row = candidate.row;
+  return of.several_classifiers ? row.method + " by " + row.classifier
+                                : run::name_by(row.method, row.classifier);
+}
+
+std::vector<std::string> recommendation_sentences(const Recommendation& recommendation) {
+  std::vector<std::string> sentences{what_to_take(recommendation),
+                                     recommendation.taken == recommendation.best
+                                         ? why_the_best(recommendation)
+                                         : why_not_the_best(recommendation),
+                                     words_of(recommendation.recommended().effort).costs};
+  std::string wrong = what_it_gets_wrong(recommendation);
+  if (!wrong.empty()) sentences.push_back(std::move(wrong));
+  return sentences;
+}
 
 std::vector<Section> recommendation_sections(const std::vector<Recommendation>& all) {
   const Recommendation* const main = main_recommendation(all);
@@ -90,8 +297,9 @@ std::vector<Section> recommendation_sections(const std::vector<Recommendation>& 
   };
   add({.key = "recommendation",
        .title = "Which method to take on " + main->dataset,
-       .note = recommendation_note(*main),
-       .table = table_by_effort(*main)});
+       .note = about_efforts,
+       .table = table_by_effort(efforts_of(*main)),
+       .findings = findings_of(*main)});
   if (all.size() > 1) {
     add({.key = "recommendation-ratios",
          .title = "Which method to take at each ratio on " + main->dataset,
@@ -112,13 +320,10 @@ std::vector<Section> recommendation_sections(const std::vector<Recommendation>& 
 }
 
 std::string recommendation_csv(const std::vector<Recommendation>& all) {
-  std::string text = text::csv_line({"dataset", "ratio", "effort", "method", "classifier", "seeds",
-                                     "mean", "std", "ci95_low", "ci95_high", "behind", "p_holm",
-                                     "missed_faults", "false_alarms", "best", "recommended"});
-  for (const Recommendation& each : all) {
-    for (std::size_t i = 0; i < each.by_effort.size(); ++i) text += csv_line_of(each, i);
-  }
-  return text;
+  std::vector<EffortRow> rows;
+  for (const Recommendation& each : all)
+    std::ranges::copy(efforts_of(each), std::back_inserter(rows));
+  return table_by_effort(rows).csv();
 }
 
 }  // namespace piae::report

@@ -8,14 +8,12 @@
 
 namespace piae::report {
 
-/// How the lines of such a table are to be read, in sentences.
-inline constexpr const char* about_efforts =
-    "Each line is the most accurate of those that take the same to be made or trained; a ceiling "
-    "is not among them. Behind: points minus the best; p, of what takes less than the best: "
-    "Wilcoxon's signed-rank test, two-sided and exact, with Holm's correction over these lines. "
-    "Recommended is the line that takes least and is not significantly worse than the best; the "
-    "best, where so few seeds cannot tell. Chosen and measured on the same test windows: expect a "
-    "little less elsewhere.";
+/// "shift"; "shift by nearest" where the run has several classifiers.
+std::string name_of(const Candidate& candidate, const Recommendation& of);
+
+/// What is recommended, why, what it costs and what it gets wrong, a sentence or two each. All
+/// numbers are those of the run; how long it took differs from run to run, and stands elsewhere.
+std::vector<std::string> recommendation_sentences(const Recommendation& recommendation);
 
 /// What is recommended with the most generated windows, why, and what of each class it recognises;
 /// and what is recommended at each ratio, where there are several. None where there is nothing.

@@ -5,11 +5,12 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
-#include "report/classifier_rows.hpp"
-#include "report/condition_notes.hpp"
+#include "report/accuracies.hpp"
+#include "report/accuracy_table.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
-#include "report/ratio_columns.hpp"
-#include "report/recommendation_words.hpp"
+#include "report/paper.hpp"
+#include "report/recommendation_tables.hpp"
 #include "report/verdict.hpp"
 #include "text/table.hpp"
 #include "text/wrap.hpp"
@@ -24,28 +25,8 @@ std::string wrapped_at_80(const std::string& paragraph) {
   return text::wrap(paragraph, widest_paragraph);
 }
 
-text::Table accuracy_table(const ClassifierRows& block) {
-  std::vector<AccuracyRow> all = block.rows;
-  if (block.bar) all.push_back(*block.bar);
-  const std::vector<RatioColumn> columns = ratio_columns(all);
-  std::vector<std::string> header{"method"};
-  for (const RatioColumn& column : columns) {
-    header.push_back(short_ratio_label(column.ratio));
-  }
-  text::Table table(header, 1);
-  const auto add_line = [&](const std::string& name, const std::vector<AccuracyRow>& own) {
-    std::vector<std::string> cells{name};
-    for (const RatioColumn& column : columns) {
-      const auto row = std::ranges::find(own, column.ratio, &AccuracyRow::ratio);
-      cells.push_back(row == own.end() ? "" : number_label(row->summary.mean, {.decimals = 1}));
-    }
-    table.row(cells);
-  };
-  for (const std::string& method : methods_of(block.rows)) {
-    add_line(method_label(method), rows_of(block.rows, method));
-  }
-  if (block.bar) add_line(bar_label(*block.bar), {*block.bar});
-  return table;
+text::Cell shown_mean(const AccuracyRow& row) {
+  return number_cell(row.summary.mean, percent_style);
 }
 
 std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
@@ -53,7 +34,8 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   std::string text;
   for (const ClassifierRows& block : blocks) {
     if (blocks.size() > 1) text += (text.empty() ? "" : "\n") + ("by " + block.classifier) + '\n';
-    text += accuracy_table(block).plain();
+    text +=
+        ratio_matrix(block.rows, block.bar, {.short_ratios = true, .cell_of = shown_mean}).plain();
     const std::string kinds = kinds_sentence(block);
     if (!kinds.empty()) text += '\n' + wrapped_at_80(kinds);
   }
@@ -71,7 +53,61 @@ std::string recommendation_paragraph(const std::vector<AccuracyRow>& rows,
   return text;
 }
 
+bool is_none(const AccuracyRow& row) { return row.method == augment::no_method; }
+
+/// "61.2/85.4": here, and as published; "61.2" where nothing is. A sign marks the mean of fewer
+/// seeds than the run has.
+std::string beside_published(const AccuracyRow& row, std::size_t seeds) {
+  return number_label(row.summary.mean, percent_style) +
+         (row.seeds.size() < seeds ? mark_of_fewer_seeds : "") +
+         (row.theirs() ? "/" + number_label(*row.theirs(), percent_style) : "");
+}
+
+/// `none`, which has a ratio of its own, is in the title, and in the table where there is nothing
+/// else.
+text::Table overview_table(std::vector<AccuracyRow> rows, std::size_t seeds) {
+  if (!std::ranges::all_of(rows, is_none)) std::erase_if(rows, is_none);
+  return ratio_matrix(rows, {}, {.short_ratios = true, .cell_of = [&](const AccuracyRow& row) {
+                                   return beside_published(row, seeds);
+                                 }});
+}
+
+std::string overview_title(const ClassifierRows& block, std::size_t seeds) {
+  const bool is_papers = block.classifier == scoring::paper_classifier;
+  std::string title = "Accuracy on " + block.rows.front().dataset + ", percent" +
+                      (is_papers ? "" : ", by " + block.classifier);
+  const auto none = std::ranges::find_if(block.rows, is_none);
+  if (none == block.rows.end()) return title;
+  return title + "; without generated windows " + beside_published(*none, seeds);
+}
+
+/// How to read the numbers of a table, as far as it has them.
+std::string how_to_read_overview(const ClassifierRows& block, std::size_t seeds) {
+  const PaperReference reference(block.rows.front().dataset, block.classifier);
+  std::string text;
+  if (reference.beside()) {
+    text += fmt::format(" Numbers are ours/the paper's of {}.", reference.beside()->paper.title);
+    if (!reference.beside()->own) text += " " + std::string(reference.beside()->caution);
+  }
+  const bool any_fewer = std::ranges::any_of(
+      block.rows, [&](const AccuracyRow& row) { return row.seeds.size() < seeds; });
+  return any_fewer
+             ? text + " " + mark_of_fewer_seeds + " marks means of fewer seeds than the run has."
+             : text;
+}
+
 }  // namespace
+
+std::vector<Section> overview_sections(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
+  std::vector<Section> sections;
+  for (const ClassifierRows& block : by_classifier(rows)) {
+    sections.push_back({.key = rows.front().dataset,
+                        .title = overview_title(block, seeds),
+                        .note = how_to_read_overview(block, seeds),
+                        .table = overview_table(block.rows, seeds)});
+  }
+  return sections;
+}
 
 std::string summary_text(const run::Grid& grid, const run::Results& results,
                          const std::vector<AccuracyRow>& rows) {
@@ -79,9 +115,9 @@ std::string summary_text(const run::Grid& grid, const run::Results& results,
     return row.seeds.size() == grid.seeds.size();
   };
   const std::string conditions = conditions_note(results);
-  std::string text = fmt::format("Accuracy on {} in percent, mean of {}{} seed{}\n", grid.dataset,
+  std::string text = fmt::format("Accuracy on {} in percent, mean of {}{}\n", grid.dataset,
                                  std::ranges::all_of(rows, has_all) ? "" : "up to ",
-                                 grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s");
+                                 counted(grid.seeds.size(), "seed"));
   if (!conditions.empty()) text += wrapped_at_80(conditions);
   text += '\n' + accuracy_tables(rows);
   std::string sentences;

@@ -9,11 +9,10 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
 #include "scoring/ratios.hpp"
-#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -207,16 +206,15 @@ std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all)
 }
 
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
-  std::string text = text::csv_line(
-      {"dataset", "factor", "value", "ratio", "seeds", "mean", "std", "ci95_low", "ci95_high"});
-  for (const SweepRow& row : rows) {
-    const scoring::Summary& summary = row.accuracy.summary;
-    text += joined_csv_line({{sweep.grid.dataset, row.point.factor, row.point.value,
-                              row.accuracy.ratio, std::to_string(summary.count)},
-                             mean_fields(summary),
-                             interval_fields(summary)});
-  }
-  return text;
+  using Row = SweepRow;
+  Columns<Row> columns;
+  columns.field("dataset", [&](const Row&) { return sweep.grid.dataset; })
+      .field("factor", [](const Row& row) { return row.point.factor; })
+      .field("value", [](const Row& row) { return row.point.value; })
+      .field("ratio", [](const Row& row) { return row.accuracy.ratio; })
+      .field("seeds", [](const Row& row) { return count_cell(row.accuracy.summary.count); })
+      .summary_fields("mean", "", [](const Row& row) { return row.accuracy.summary; });
+  return columns.table(rows).csv();
 }
 
 Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,

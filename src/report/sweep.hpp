@@ -6,7 +6,7 @@
 
 #include "augment/catalogue.hpp"
 #include "cli/options.hpp"
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
 #include "report/document.hpp"
 #include "run/collect.hpp"
 #include "run/grid.hpp"

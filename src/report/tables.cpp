@@ -6,16 +6,15 @@
 #include <iterator>
 
 #include "augment/catalogue.hpp"
-#include "report/accuracy_sections.hpp"
+#include "report/accuracies.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/classifier_rows.hpp"
-#include "report/condition_notes.hpp"
-#include "report/confidence_table.hpp"
 #include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
-#include "report/paper_reference.hpp"
+#include "report/paper.hpp"
 #include "report/quality_table.hpp"
 #include "report/recommendation_tables.hpp"
+#include "report/verdict.hpp"
 
 namespace piae::report {
 

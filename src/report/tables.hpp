@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
 #include "report/comparisons.hpp"
 #include "report/document.hpp"
 #include "report/rank_table.hpp"

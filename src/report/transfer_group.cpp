@@ -6,13 +6,21 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "report/accuracies.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/classifier_rows.hpp"
 #include "report/gaps.hpp"
 
 namespace piae::report {
 
 namespace {
+
+std::string trained_classifiers() {
+  std::string names;
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    if (each.trains()) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  }
+  return names;
+}
 
 const AccuracyRow* find_by(const std::vector<AccuracyRow>& rows, const std::string& method,
                            const std::string& classifier) {
@@ -22,7 +30,7 @@ const AccuracyRow* find_by(const std::vector<AccuracyRow>& rows, const std::stri
   return found == rows.end() ? nullptr : &*found;
 }
 
-GroupCell mean_cell(const std::vector<GroupCell>& cells) {
+GroupCell cell_of_means(const std::vector<GroupCell>& cells) {
   std::vector<AccuracyRow> rows;
   std::vector<AccuracyRow> kinds;
   for (const GroupCell& cell : cells) {
@@ -44,7 +52,7 @@ std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
     GroupCell& cell = group.datasets.emplace_back(GroupCell{*row, std::nullopt});
     if (const AccuracyRow* const kind = find_by(each.kinds, method, classifier)) cell.kind = *kind;
   }
-  group.mean = mean_cell(group.datasets);
+  group.mean = cell_of_means(group.datasets);
   return group;
 }
 
@@ -92,6 +100,23 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
 }
 
 }  // namespace
+
+InputChoice parse_input_choice(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  const auto refuse = [&](const std::string& why) {
+    throw Error(Exit::usage, "'" + word + "' " + why);
+  };
+  if (equals == std::string::npos) {
+    refuse("is not METHOD=CLASSIFIER, such as none=wdcnn-spectrum");
+  }
+  InputChoice choice{word.substr(0, equals), word.substr(equals + 1)};
+  if (augment::find_entry(choice.method) == nullptr) refuse("names a method that there is not");
+  const diagnosis::Classifier* const classifier = diagnosis::find_classifier(choice.classifier);
+  if (classifier == nullptr || !classifier->trains()) {
+    refuse("names no classifier that is trained; such are " + trained_classifiers());
+  }
+  return choice;
+}
 
 const std::vector<InputChoice>& GroupChoices::inputs_for(Question question) const {
   return question == Question::by_kind && !kind_inputs.empty() ? kind_inputs : inputs;

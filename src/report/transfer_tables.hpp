@@ -19,7 +19,7 @@ namespace piae::report {
 std::string transfer_csv(const TransferGroup& group);
 
 /// transfer-comparisons@GROUP.csv: group,ratio,method,classifier,minus,minus_classifier and
-/// paired_header(). The difference is the accuracy of `method` minus that of `minus`.
+/// paired_columns(). The difference is the accuracy of `method` minus that of `minus`.
 std::string transfer_comparisons_csv(const TransferGroup& group);
 
 /// The same for people.

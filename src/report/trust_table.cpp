@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "report/csv_fields.hpp"
+#include "report/columns.hpp"
 #include "report/labels.hpp"
-#include "text/csv.hpp"
 
 namespace piae::report {
 
@@ -173,28 +172,37 @@ std::vector<TrustRow> trust_rows(const run::Layout& layout, const run::Grid& gri
 }
 
 std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& rows) {
-  std::string csv = text::csv_line(
-      {"dataset", "classifier", "method", "ratio", "seeds", "quantity", "class", "mean", "std"});
+  struct Line {
+    const run::Combination* of;
+    std::string quantity;
+    std::string class_name;
+    scoring::Summary summary;
+  };
+  std::vector<Line> lines;
   for (const TrustRow& row : rows) {
-    const auto add_line = [&](const std::string& quantity, const std::string& class_name,
-                              const scoring::Summary& summary) {
-      csv += joined_csv_line(
-          {{dataset, row.combination.classifier, row.combination.method, row.combination.ratio,
-            std::to_string(summary.count), quantity, class_name},
-           mean_fields(summary)});
+    const auto add = [&](const std::string& quantity, const scoring::Summary& summary,
+                         const std::string& class_name = "") {
+      lines.push_back({&row.combination, quantity, class_name, summary});
     };
-    add_line("accuracy", "", row.accuracy);
-    add_line("raw_calibration_error", "", row.raw_calibration_error);
-    add_line("calibration_error", "", row.calibration_error);
-    add_line("temperature", "", row.temperature);
-    add_line("called_unknown", "", row.called_unknown);
-    if (row.auroc) {
-      add_line("untrained_auroc", "", *row.auroc);
-      add_line("untrained_called_unknown", "", *row.untrained_called_unknown);
-    }
-    for (const auto& [name, auroc] : row.auroc_by_class) add_line("untrained_auroc", name, auroc);
+    add("accuracy", row.accuracy);
+    add("raw_calibration_error", row.raw_calibration_error);
+    add("calibration_error", row.calibration_error);
+    add("temperature", row.temperature);
+    add("called_unknown", row.called_unknown);
+    if (row.auroc) add("untrained_auroc", *row.auroc);
+    if (row.auroc) add("untrained_called_unknown", *row.untrained_called_unknown);
+    for (const auto& [name, auroc] : row.auroc_by_class) add("untrained_auroc", auroc, name);
   }
-  return csv;
+  Columns<Line> columns;
+  columns.field("dataset", [&](const Line&) { return dataset; })
+      .field("classifier", [](const Line& line) { return line.of->classifier; })
+      .field("method", [](const Line& line) { return line.of->method; })
+      .field("ratio", [](const Line& line) { return line.of->ratio; })
+      .field("seeds", [](const Line& line) { return count_cell(line.summary.count); })
+      .field("quantity", &Line::quantity)
+      .field("class", &Line::class_name)
+      .summary_fields("mean", "", &Line::summary, false);
+  return columns.table(lines).csv();
 }
 
 Document trust_document(const std::string& dataset, const std::vector<TrustRow>& rows) {

@@ -10,14 +10,26 @@
 
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/accuracies.hpp"
 #include "report/labels.hpp"
-#include "report/nothing_known.hpp"
-#include "report/ratio_columns.hpp"
 
 namespace piae::report {
 
 namespace {
+
+std::string kind_label(const std::string& name, const AccuracyRow& row) {
+  return fmt::format("{} {:.1f} ({})", name, row.kind->mean, short_ratio_label(row.ratio));
+}
+
+bool is_rule(const AccuracyRow& row) { return row.method == augment::no_method; }
+bool is_of_ceiling(const AccuracyRow& row) { return augment::is_ceiling(row.method); }
+bool is_of_method(const AccuracyRow& row) { return !is_rule(row) && !is_of_ceiling(row); }
+
+std::string named(const AccuracyRow& row) {
+  if (is_rule(row)) return fmt::format("{} ({:.1f} %)", row.classifier, row.summary.mean);
+  return fmt::format("{} by {} ({:.1f} %, {})", row.method, row.classifier, row.summary.mean,
+                     short_ratio_label(row.ratio));
+}
 
 /// "shift (+35.2)"; with how many seeds where others have more: "shift (+35.2, 1 seed)".
 std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_seeds) {
@@ -147,6 +159,44 @@ std::string without_any_of_this(const AccuracyRow& bar) {
 }
 
 }  // namespace
+
+std::string conditions_note(const run::Results& results) {
+  if (results.diagnoses.empty()) return "";
+  const run::Diagnosis& any = results.diagnoses.front();
+  if (!any.any_known) return "No fault window was known.";
+  if (any.known_at.empty()) return "";
+  return fmt::format("Faults are known at {}, and tested at {}.", listed(any.known_at),
+                     listed(any.tested_at));
+}
+
+std::string kinds_sentence(const ClassifierRows& block) {
+  if (!tell_kinds(block.rows)) return "";
+  std::string text;
+  const auto add = [&](const std::string& label) { text += (text.empty() ? "" : ", ") + label; };
+  for (const std::string& method : methods_of(block.rows)) {
+    const std::vector<AccuracyRow> own = rows_of(block.rows, method);
+    add(kind_label(method_label(method),
+                   *std::ranges::max_element(own, {}, &AccuracyRow::generated_per_class)));
+  }
+  if (block.bar) add(kind_label(bar_label(*block.bar), *block.bar));
+  return "By kind of defect: " + text + ".";
+}
+
+std::string most_accurate_without_known(const std::vector<AccuracyRow>& rows) {
+  std::vector<std::string> parts;
+  const auto add_best = [&](const std::string& with, bool (*of_group)(const AccuracyRow&)) {
+    const AccuracyRow* best = nullptr;
+    for (const AccuracyRow& row : rows) {
+      if (!of_group(row)) continue;
+      if (best == nullptr || row.summary.mean > best->summary.mean) best = &row;
+    }
+    if (best != nullptr) parts.push_back(with + " " + named(*best));
+  };
+  add_best("with generated windows", is_of_method);
+  add_best("by a rule", is_rule);
+  add_best("with real windows in their place", is_of_ceiling);
+  return parts.empty() ? "" : "Right in most test windows: " + listed(parts) + ".";
+}
 
 Effect effect_of(const AccuracyRow& gain) {
   const auto& interval = gain.summary.interval;

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace piae::page {
 namespace {
 
@@ -12,12 +15,15 @@ using testing::Not;
 std::vector<DatasetContents> with_cells(std::int64_t seeds) {
   DatasetContents contents{.name = "cwru"};
   for (const char* ratio : {"10to1", "2to1"}) {
+    std::vector<run::Diagnosis> cells;
     for (std::int64_t seed = 0; seed < seeds; ++seed) {
       run::Diagnosis cell{.method = "vae", .ratio = ratio, .seed = seed};
       cell.accuracy = static_cast<double>(seed % 100) / 100;
       contents.diagnosis_digests.emplace_back(64, 'a');
-      contents.results.diagnoses.push_back(cell);
+      cells.push_back(cell);
     }
+    std::ranges::copy(cells, std::back_inserter(contents.results.diagnoses));
+    contents.rows.push_back(report::accuracy_row("cwru", cells));
   }
   return {contents};
 }

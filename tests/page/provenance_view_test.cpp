@@ -1,7 +1,7 @@
-#include "page/provenance_view.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "page/cells_view.hpp"
 
 namespace piae::page {
 namespace {

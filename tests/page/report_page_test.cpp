@@ -92,12 +92,12 @@ TEST_F(ReportPage, SaysFirstWhereFaultsAreKnownAndTested) {
 TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
   add_all();
   // 85 - 60 and 95 - 65 points; published 91.2 - 61.8.
-  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +27.50</span>"
+  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +27.50 ± 3.54</span>"
                                 "<span class=\"theirs\">paper +29.40</span>"));
   // With 95 - 65 points of a third seed there is an interval, from 21 to 36.
   add(diagnosis("none", "100to1", 0, 2, 13));
   add(diagnosis("vae", "2to1", 145, 2, 19));
-  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +28.33</span>"));
+  EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +28.33 ± 2.89</span>"));
 }
 
 /// vae at 2to1: 90 %. What is wrong is taken for the outer race, so that no fault is missed.
@@ -107,9 +107,9 @@ TEST_F(ReportPage, SaysWhichMethodToTake) {
   EXPECT_THAT(html, HasSubstr("<h2>Which method to take</h2>\n<p class=\"verdict\">Recommended on "
                               "cwru: vae, right in 90.0 % of the test windows (2 seeds)"));
   EXPECT_THAT(html, HasSubstr("2 seeds cannot tell: none (-27.5 points). At least 6 seeds could."));
-  EXPECT_THAT(html, HasSubstr("<td class=\"helps\">✔ yes</td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"helps\">yes</td>"));
   EXPECT_THAT(html, HasSubstr("title=\"0 of 40 windows\">0.0</td>"));
-  EXPECT_THAT(html, HasSubstr("Which method to take at each ratio on cwru, percent"));
+  EXPECT_THAT(html, HasSubstr("Which method to take at each ratio on cwru<"));
   EXPECT_THAT(text(), HasSubstr("\n## Which method to take on cwru\n\nRecommended on cwru: vae"));
 }
 
@@ -142,7 +142,7 @@ TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
   html = page();
   EXPECT_THAT(html, HasSubstr("standard deviation over seeds, by wdcnn-spectrum"));
   EXPECT_THAT(html, HasSubstr("interval of its mean, by wdcnn-spectrum"));
-  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">○ +10.00</span>"));
+  EXPECT_THAT(html, HasSubstr("<span class=\"ours\">○ +10.00 ± 0.00</span>"));
   // vae has been begun by it, so its other ratio is missing.
   EXPECT_THAT(html, HasSubstr("vae by wdcnn-spectrum; 2:1; seeds 0, 1"));
 }

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <spdlog/fmt/fmt.h>
 
-#include "page/duration.hpp"
 #include "page/time_line.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"

@@ -8,12 +8,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Table two_rows() {
-  return {.caption = "Accuracy, percent",
-          .columns = {{"method"}, {"10:1", true}},
-          .rows = {{.cells = {{.content = "vae"},
-                              {.content = "85.40", .number = 85.4, .from = "a/diagnosis.h5"}}},
-                   {.cells = {{.content = "<b>"}, {.content = "–"}}, .looks = "bad"}}};
+report::Section two_rows() {
+  text::Table table({"method", "10:1"}, 1);
+  text::Cell accuracy = "85.40";
+  accuracy.number = 85.4;
+  accuracy.source = "a/diagnosis.h5";
+  table.row({"vae", accuracy});
+  table.row({"<b>", "–"}, "bad");
+  return {"accuracy", "Accuracy, percent", "", table};
 }
 
 TEST(PageTable, NamesItsRowsAndColumnsForThoseWhoCannotSeeIt) {
@@ -38,17 +40,46 @@ TEST(PageTable, ScrollsInABoxThatTheKeyboardReaches) {
                         "aria-label=\"Accuracy, percent\">"));
 }
 
+TEST(PageTable, ACellHasFurtherLinesAndLinksToFiles) {
+  text::Table table({"a", "b", "c"}, 3);
+  text::Cell lines = "90.00";
+  lines.more = {"paper 91.20", ""};
+  text::Cell files = " and 1 more";
+  files.files = {"x.log", "y.log"};
+  text::Cell digest = "0a1b";
+  digest.is_digest = true;
+  table.row({lines, files, digest});
+  const std::string text = html(report::Section{"k", "T", "", table}).text();
+  EXPECT_THAT(text, HasSubstr("<span class=\"ours\">90.00</span>"
+                              "<span class=\"theirs\">paper 91.20</span></th>"));
+  EXPECT_THAT(text, HasSubstr("<a href=\"./x.log\">x.log</a> <a href=\"./y.log\">y.log</a> and 1 "
+                              "more</td>"));
+  EXPECT_THAT(text, HasSubstr("<code>0a1b</code>"));
+}
+
+TEST(PageTable, HasTheColumnsOfPagesButNotThoseOfCsv) {
+  text::Table table({"method"}, 1);
+  table.column({"alarms", true, "", text::Shown::on_pages});
+  table.column({"std", true, "std", text::Shown::in_csv});
+  table.row({"vae", "2.0", "0.1234"});
+  const std::string text = html(report::Section{"k", "T", "", table}).text();
+  EXPECT_THAT(text, HasSubstr("2.0"));
+  EXPECT_THAT(text, Not(HasSubstr("0.1234")));
+  EXPECT_EQ(table.plain(), "method\nvae\n");
+  EXPECT_EQ(table.csv(), "std\n0.1234\n");
+}
+
 TEST(PageTable, OnlyALongOneIsFiltered) {
-  Table table = two_rows();
-  EXPECT_THAT(html(table).text(), Not(HasSubstr("long")));
-  table.rows.resize(25, table.rows.front());
-  EXPECT_THAT(html(table).text(), HasSubstr("<table class=\"sortable long\">"));
+  report::Section section = two_rows();
+  EXPECT_THAT(html(section).text(), Not(HasSubstr("long")));
+  for (int i = 2; i < 25; ++i) section.table.row({"vae", "1"});
+  EXPECT_THAT(html(section).text(), HasSubstr("<table class=\"sortable long\">"));
 }
 
 TEST(PageTable, SaysBelowWhereItsNumbersComeFrom) {
-  Table table = two_rows();
-  table.below = "From a & b.";
-  EXPECT_THAT(html(table).text(), HasSubstr("<p class=\"below\">From a &amp; b.</p>"));
+  report::Section section = two_rows();
+  section.note = "From a & b.";
+  EXPECT_THAT(html(section).text(), HasSubstr("<p class=\"below\">From a &amp; b.</p>"));
 }
 
 }  // namespace

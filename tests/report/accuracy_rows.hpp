@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/accuracy_table.hpp"
+#include "report/accuracies.hpp"
 #include "report/bounded_summary.hpp"
 #include "scoring/ratios.hpp"
 

@@ -1,9 +1,8 @@
-#include "report/classifier_rows.hpp"
-
 #include <gmock/gmock.h>
 
+#include "report/accuracies.hpp"
 #include "report/accuracy_rows.hpp"
-#include "report/accuracy_sections.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/comparisons.hpp"
 #include "report/rank_table.hpp"
 #include "report/summary.hpp"

@@ -1,7 +1,6 @@
-#include "report/confidence_table.hpp"
-
 #include <algorithm>
 
+#include "report/decisions_table.hpp"
 #include "report/published.hpp"
 #include "report/tables.hpp"
 #include "support/stored_run.hpp"

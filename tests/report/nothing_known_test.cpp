@@ -1,10 +1,8 @@
-#include "report/nothing_known.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "report/accuracy_rows.hpp"
-#include "report/condition_notes.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/summary.hpp"
 #include "report/tables.hpp"
 #include "report/verdict.hpp"

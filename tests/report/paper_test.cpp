@@ -1,7 +1,6 @@
-#include <gmock/gmock.h>
+#include "report/paper.hpp"
 
-#include "report/paper_methods.hpp"
-#include "report/paper_reference.hpp"
+#include <gmock/gmock.h>
 
 namespace piae::report {
 namespace {

@@ -1,5 +1,3 @@
-#include "report/recommendation_words.hpp"
-
 #include <gmock/gmock.h>
 
 #include "report/recommendation_tables.hpp"
@@ -99,7 +97,7 @@ TEST(RecommendationSections, AreAtTheMostWindowsThenByRatioThenByClass) {
       "classifier              none                       73.0   [71.0, 75.0]   -23.0  0.0312\n"
       "windows + classifier    shift          yes         95.4   [94.0, 96.8]    -0.6   0.281\n"
       "generator + classifier  vae                        96.0   [96.0, 96.0]       –       –\n");
-  EXPECT_THAT(sections[0].note, HasSubstr("not significantly worse (-0.6 points"));
+  EXPECT_THAT(sections[0].findings[1], HasSubstr("not significantly worse (-0.6 points"));
   EXPECT_EQ(sections[1].title, "Which method to take at each ratio on cwru");
   EXPECT_EQ(sections[1].table.plain(),
             "ratio         take   accuracy %  95 % interval  missed faults  false alarms\n"

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "augment/catalogue.hpp"
+#include "report/accuracy_table.hpp"
 #include "report/contrast.hpp"
 #include "report/published.hpp"
 #include "report/ratio_means.hpp"

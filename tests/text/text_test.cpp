@@ -93,6 +93,18 @@ TEST(Table, RowsThatGoOnStayTogetherInLatex) {
                                        "  \\bottomrule\n"));
 }
 
+TEST(Table, HasInCsvTheColumnsThatHaveANameThere) {
+  Table table({"method"}, 1);
+  table.column({"accuracy", true, "mean"});
+  table.column({"std", true, "std", Shown::in_csv});
+  Cell mean = "85.40 ± 1.20";
+  mean.field = "85.4012";
+  table.row({"a", mean, "1.2034"});
+  table.row({"b"});
+  EXPECT_EQ(table.csv(), "mean,std\n85.4012,1.2034\n,\n");
+  EXPECT_EQ(table.plain(), "method      accuracy\na       85.40 ± 1.20\nb\n");
+}
+
 TEST(Escape, KeepsPlainTextPlainInMarkdown) {
   EXPECT_EQ(markdown_text("a|b *c* `d` <e> \\ f_g [1, 2]"),
             "a\\|b \\*c\\* \\`d\\` \\<e> \\\\ f_g [1, 2]");

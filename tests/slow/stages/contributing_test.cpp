@@ -130,6 +130,24 @@ TEST(ShownTable, HasTheLowestAndTheHighestAccuracyOfEachCell) {
   EXPECT_THAT(bytes_of(tiny / "run/tiny/tables.tex"), HasSubstr("{tab:tiny-seed-range}"));
 }
 
+// Of one seed the lowest accuracy is the mean.
+TEST(ShownColumn, IsInEveryTableOfAccuracies) {
+  const Tiny tiny;
+  tiny.run_chain_before("tabulate");
+  const Outcome outcome = tiny.run(shown("tabulate"), step_of("tabulate").arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string csv = bytes_of(tiny / "run/tiny/accuracy.csv");
+  EXPECT_THAT(csv, HasSubstr(",published,lowest\n"));
+  const std::string piae_dt = accuracy_of(csv, "tiny,piae-dt,wdcnn,50to1,");
+  EXPECT_THAT(csv, testing::ContainsRegex("\ntiny,piae-dt,wdcnn,50to1,[^\n]*," + piae_dt + "00\n"));
+  EXPECT_THAT(bytes_of(tiny / "run/tiny/gains.csv"), HasSubstr(",published,lowest\n"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("^method [^\n]* lowest\n"));
+  for (const char* file : {"run/tiny/tables.md", "run/tiny/tables.tex"}) {
+    EXPECT_THAT(bytes_of(tiny / file),
+                testing::ContainsRegex("method *[|&] ratio *[|&][^\n]* lowest "));
+  }
+}
+
 TEST(ShownFigure, HasTheRangeOfEachCell) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");

@@ -1,15 +1,19 @@
+#include "report/transfer_tables.hpp"
+
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "report/accuracies.hpp"
 #include "report/bounded_summary.hpp"
-#include "report/classifier_rows.hpp"
+#include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
-#include "report/transfer_tables.hpp"
 
 namespace piae::report {
 
@@ -205,7 +209,92 @@ void add_sections(const TransferGroup& group, Question question, Document& docum
   document.sections.push_back(inputs_section(group, question));
 }
 
+std::string role_of(const TransferGroup& group, const GroupRow& row) {
+  if (row.method == group.choices.against) return "against";
+  if (augment::is_ceiling(row.method)) return "ceiling";
+  return &row == group.bar() ? "bar" : "method";
+}
+
+std::string yes_or_no(bool yes) { return yes ? "1" : "0"; }
+
+/// One seed of a cell, or the mean over its seeds.
+struct TransferLine {
+  const GroupRow* of;
+  const GroupCell* cell;
+  std::optional<std::size_t> seed;
+
+  /// Of a seed a mean without spread.
+  [[nodiscard]] scoring::Summary summary_of(const AccuracyRow& row) const {
+    if (!seed) return row.summary;
+    scoring::Summary summary;
+    summary.mean = row.values[*seed];
+    return summary;
+  }
+  [[nodiscard]] scoring::Summary accuracy() const { return summary_of(cell->row); }
+  [[nodiscard]] std::optional<scoring::Summary> kind() const {
+    return cell->kind ? std::optional(summary_of(*cell->kind)) : std::nullopt;
+  }
+};
+
+std::vector<TransferLine> lines_of(const GroupRow& row) {
+  std::vector<TransferLine> lines;
+  const auto add = [&](const GroupCell& cell) {
+    for (std::size_t i = 0; i < cell.row.seeds.size(); ++i) lines.push_back({&row, &cell, i});
+    lines.push_back({&row, &cell, std::nullopt});
+  };
+  for (const GroupCell& cell : row.datasets) add(cell);
+  add(row.mean);
+  return lines;
+}
+
 }  // namespace
+
+std::string transfer_csv(const TransferGroup& group) {
+  using Line = TransferLine;
+  std::vector<Line> lines;
+  for (const GroupRow& row : group.rows)
+    std::ranges::copy(lines_of(row), std::back_inserter(lines));
+  Columns<Line> columns;
+  columns.field("dataset", [](const Line& line) { return line.cell->row.dataset; })
+      .field("speed_ratio",
+             [](const Line& line) { return four_decimals(line.cell->row.speed_ratio); })
+      .field("method", [](const Line& line) { return line.of->method; })
+      .field("role", [&](const Line& line) { return role_of(group, *line.of); })
+      .field("classifier", [](const Line& line) { return line.of->classifier; })
+      .field("recorded", [](const Line& line) { return yes_or_no(line.of->by_class.recorded); })
+      .field("best", [](const Line& line) { return yes_or_no(line.of->by_class.best); })
+      .field("ratio", [](const Line& line) { return line.of->mean.row.ratio; })
+      .field("seed",
+             [](const Line& line) {
+               return line.seed ? std::to_string(line.cell->row.seeds[*line.seed]) : "mean";
+             })
+      .summary_fields("accuracy", "", &Line::accuracy)
+      .summary_fields("kind", "kind_", &Line::kind)
+      .field("kind_recorded", [](const Line& line) { return yes_or_no(line.of->by_kind.recorded); })
+      .field("kind_best", [](const Line& line) { return yes_or_no(line.of->by_kind.best); });
+  return columns.table(lines).csv();
+}
+
+std::string transfer_comparisons_csv(const TransferGroup& group) {
+  struct Line {
+    const PairedRow* row;
+    const GroupRow* other;
+  };
+  std::vector<Line> lines;
+  const std::vector<const GroupRow*> others = group.others();
+  for (std::size_t i = 0; i < group.differences.size(); ++i) {
+    lines.push_back({&group.differences[i], others[i]});
+  }
+  Columns<Line> columns;
+  columns.field("group", [&](const Line&) { return group.choices.group; })
+      .field("ratio", [](const Line& line) { return line.row->ratio; })
+      .field("method", [&](const Line&) { return group.own()->method; })
+      .field("classifier", [&](const Line&) { return group.own()->classifier; })
+      .field("minus", [](const Line& line) { return line.other->method; })
+      .field("minus_classifier", [](const Line& line) { return line.other->classifier; })
+      .with(paired_columns(), [](const Line& line) { return *line.row; });
+  return columns.table(lines).csv();
+}
 
 Document transfer_document(const TransferGroup& group) {
   Document document{.key = "transfer-" + group.choices.group,
