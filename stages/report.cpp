@@ -6,7 +6,6 @@
 
 #include "cli/stage.hpp"
 #include "page/report_page.hpp"
-#include "page/report_text.hpp"
 #include "page/run_page.hpp"
 #include "text/file.hpp"
 

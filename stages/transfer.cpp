@@ -1,11 +1,12 @@
 // Reports the mean effect of each method over data sets that test faults in other conditions.
 
+#include "report/transfer.hpp"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
 
 #include "cli/stage.hpp"
-#include "report/read_transfer.hpp"
 #include "report/transfer_tables.hpp"
 #include "text/file.hpp"
 

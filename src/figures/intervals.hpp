@@ -8,7 +8,7 @@
 namespace piae::figures {
 
 /// Returns the ends of the 95 % interval of a mean as two fields, empty if tables show none
-/// (report/bounded_summary.hpp).
+/// (report/accuracies.hpp).
 std::vector<std::string> shown_interval(const scoring::Summary& summary);
 
 }  // namespace piae::figures

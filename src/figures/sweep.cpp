@@ -10,7 +10,7 @@
 #include "base/numbers.hpp"
 #include "figures/intervals.hpp"
 #include "figures/trained_options.hpp"
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/sweep.hpp"
 #include "scoring/ratios.hpp"
 

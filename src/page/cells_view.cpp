@@ -6,7 +6,7 @@
 #include <map>
 #include <span>
 
-#include "page/links.hpp"
+#include "page/html.hpp"
 #include "page/table.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"

@@ -3,20 +3,61 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "augment/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/verdict.hpp"
 #include "run/held.hpp"
+#include "run/step_log.hpp"
 
 namespace piae::page {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+fs::path file_of(const run::Layout& layout, const run::CellName& name) {
+  return name.ratio.empty() ? layout.score(name.method, name.seed)
+                            : layout.diagnosis(name.method, name.ratio, name.seed, name.classifier);
+}
+
+/// The log of the first step on the way to a cell that is not done; also that of a data set's
+/// recordings, without which nothing else has begun.
+std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path& file) {
+  if (auto log = run::Layout::unfinished_log(file)) return log;
+  if (fs::exists(layout.folder() / "records.h5")) return std::nullopt;
+  for (const char* name : {"ingest.log", "simulate.log"}) {
+    if (fs::exists(layout.folder() / name)) return layout.folder() / name;
+  }
+  return std::nullopt;
+}
+
+HoleState state_of(const run::StepLog& log) {
+  switch (log.end) {
+    case run::StepEnd::failed:
+      return HoleState::failed;
+    case run::StepEnd::interrupted:
+      return HoleState::interrupted;
+    case run::StepEnd::open:
+      return HoleState::open;
+    case run::StepEnd::done:  // and then its file was removed
+      break;
+  }
+  return HoleState::not_begun;
+}
+
+/// Whether a path may go on from this character: what stands behind it is not its beginning.
+bool may_be_in_path(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || byte > 127 ||
+         std::string_view("/._-@+").find(c) != std::string_view::npos;
+}
 
 Build build_of(const artefact::Reader& reader) {
   const std::string group = "/provenance";
@@ -25,32 +66,23 @@ Build build_of(const artefact::Reader& reader) {
           .processor = reader.text(group, "cpu")};
 }
 
-run::CellName name_of(const run::Diagnosis& cell) {
-  return {cell.method, cell.ratio, cell.seed, cell.classifier};
-}
-
 /// Names of cells, of which there may be a hundred thousand.
-class CellNames {
- public:
-  void add(const run::CellName& name) { keys_.insert(key_of(name)); }
-  [[nodiscard]] bool has(const run::CellName& name) const { return keys_.contains(key_of(name)); }
+using CellNames = std::set<std::tuple<std::string, std::string, std::int64_t, std::string>>;
 
- private:
-  using Key = std::tuple<std::string, std::string, std::int64_t, std::string>;
-  static Key key_of(const run::CellName& name) {
-    return {name.method, name.ratio, name.seed, name.classifier};
-  }
-  std::set<Key> keys_;
-};
+CellNames::value_type key_of(const run::CellName& name) {
+  return {name.method, name.ratio, name.seed, name.classifier};
+}
 
 /// Those that are read, or left out.
 CellNames no_holes(const run::Results& results) {
   CellNames names;
-  for (const run::Diagnosis& cell : results.diagnoses) names.add(name_of(cell));
-  for (const scoring::QualityRecord& cell : results.qualities) {
-    names.add({cell.method, "", cell.seed});
+  for (const run::Diagnosis& cell : results.diagnoses) {
+    names.insert({cell.method, cell.ratio, cell.seed, cell.classifier});
   }
-  for (const run::CellName& cell : results.left_out) names.add(cell);
+  for (const scoring::QualityRecord& cell : results.qualities) {
+    names.insert(key_of({cell.method, "", cell.seed}));
+  }
+  for (const run::CellName& cell : results.left_out) names.insert(key_of(cell));
   return names;
 }
 
@@ -86,7 +118,7 @@ std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
   const ProblemsByFile problems(layout, contents.results.problems);
   std::vector<Hole> holes;
   for (const run::CellName& name : names) {
-    if (whole.has(name)) continue;
+    if (whole.contains(key_of(name))) continue;
     Hole hole = hole_of(run, layout, name, problems);
     const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
     if (counts) holes.push_back(std::move(hole));
@@ -117,6 +149,55 @@ void read_records(const fs::path& run, DatasetContents& contents) {
 
 }  // namespace
 
+std::string below_run(std::string text, const fs::path& run) {
+  const std::string folder = (run / "").string();
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
+    if (at > 0 && may_be_in_path(text[at - 1])) {
+      ++at;
+    } else {
+      text.erase(at, folder.size());
+    }
+  }
+  return text;
+}
+
+ProblemsByFile::ProblemsByFile(const run::Layout& layout,
+                               const std::vector<std::string>& problems) {
+  const std::string folder = (layout.folder() / "").string();
+  const std::string ending = ".h5";
+  for (const std::string& problem : problems) {
+    const std::size_t begin = problem.find(folder);
+    if (begin == std::string::npos) continue;
+    const std::size_t end = problem.find(ending, begin + folder.size());
+    if (end == std::string::npos) continue;
+    problems_.emplace(problem.substr(begin, end + ending.size() - begin), problem.substr(begin));
+  }
+}
+
+std::string ProblemsByFile::with(const fs::path& file) const {
+  const auto found = problems_.find(file.string());
+  return found == problems_.end() ? "" : found->second;
+}
+
+Hole hole_of(const fs::path& run, const run::Layout& layout, const run::CellName& name,
+             const ProblemsByFile& problems) {
+  const fs::path file = file_of(layout, name);
+  Hole hole{.name = name};
+  if (fs::exists(file)) {
+    hole.state = HoleState::refused;
+    hole.why = below_run(problems.with(file), run);
+    return hole;
+  }
+  const std::optional<fs::path> path = log_on_the_way(layout, file);
+  if (!path) return hole;
+  const run::StepLog log = run::read_step_log(*path);
+  hole.state = state_of(log);
+  hole.stage = log.stage;
+  hole.why = below_run(log.reason, run);
+  hole.log = path->lexically_relative(run);
+  return hole;
+}
+
 DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
                              const std::vector<std::string>& leave_out,
                              const report::Published& published) {
@@ -141,8 +222,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
 }
 
 std::string counted_cells(std::size_t diagnoses, std::size_t scores) {
-  std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
-  std::string second = fmt::format("{} score{}", scores, scores == 1 ? "" : "s");
+  const std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
+  const std::string second = report::counted(scores, "score");
   if (scores == 0) return first;
   return diagnoses == 0 ? second : first + " and " + second;
 }

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-#include "page/links.hpp"
+#include "page/html.hpp"
 #include "page/table.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
@@ -30,24 +30,12 @@ constexpr std::size_t most_shown = 3;
 template <class T>
 class EachOnce {
  public:
-  void add(const T& value) {
-    if (known_.insert(value).second) values_.push_back(value);
+  void add(const T& value, std::vector<T>& to) {
+    if (known_.insert(value).second) to.push_back(value);
   }
-  [[nodiscard]] std::vector<T> take() { return std::move(values_); }
 
  private:
-  std::vector<T> values_;
   std::set<T> known_;
-};
-
-/// A group to which holes are still added.
-struct GrowingGroup {
-  HoleGroup group;
-  EachOnce<std::string> methods = {};
-  EachOnce<std::string> ratios = {};
-  EachOnce<std::int64_t> seeds = {};
-  EachOnce<std::string> reasons = {};
-  EachOnce<std::filesystem::path> logs = {};
 };
 
 std::string method_of(const Hole& hole) {
@@ -60,45 +48,32 @@ CommonOfHoles common_of(const Hole& hole) {
   return {hole.state, hole.stage, hole.state == HoleState::not_begun ? "" : method_of(hole)};
 }
 
-void add(GrowingGroup& growing, const Hole& hole) {
-  growing.methods.add(method_of(hole));
-  growing.seeds.add(hole.name.seed);
-  if (hole.name.ratio.empty()) {
-    ++growing.group.scores;
-  } else {
-    ++growing.group.diagnoses;
-    growing.ratios.add(hole.name.ratio);
-  }
-  if (!hole.why.empty()) growing.reasons.add(hole.why);
-  if (!hole.log.empty()) growing.logs.add(hole.log);
-}
-
-HoleGroup grown(GrowingGroup growing) {
-  HoleGroup group = std::move(growing.group);
-  group.methods = growing.methods.take();
-  group.ratios = growing.ratios.take();
-  group.seeds = growing.seeds.take();
-  group.reasons = growing.reasons.take();
-  group.logs = growing.logs.take();
-  std::ranges::sort(group.seeds);
-  return group;
-}
-
 std::vector<HoleGroup> groups_of_dataset(const DatasetContents& dataset) {
-  std::vector<GrowingGroup> groups;
+  struct Seen {
+    EachOnce<std::string> methods, ratios, reasons;
+    EachOnce<std::int64_t> seeds;
+    EachOnce<std::filesystem::path> logs;
+  };
+  std::vector<HoleGroup> groups;
+  std::vector<Seen> seen;
   std::map<CommonOfHoles, std::size_t> places;
   for (const Hole& hole : dataset.holes) {
     const auto [place, is_new] = places.try_emplace(common_of(hole), groups.size());
     if (is_new) {
-      groups.push_back(
-          {.group = {.dataset = dataset.name, .state = hole.state, .stage = hole.stage}});
+      groups.push_back({.dataset = dataset.name, .state = hole.state, .stage = hole.stage});
+      seen.emplace_back();
     }
-    add(groups[place->second], hole);
+    HoleGroup& group = groups[place->second];
+    Seen& known = seen[place->second];
+    known.methods.add(method_of(hole), group.methods);
+    known.seeds.add(hole.name.seed, group.seeds);
+    ++(hole.name.ratio.empty() ? group.scores : group.diagnoses);
+    if (!hole.name.ratio.empty()) known.ratios.add(hole.name.ratio, group.ratios);
+    if (!hole.why.empty()) known.reasons.add(hole.why, group.reasons);
+    if (!hole.log.empty()) known.logs.add(hole.log, group.logs);
   }
-  std::vector<HoleGroup> all;
-  all.reserve(groups.size());
-  for (GrowingGroup& growing : groups) all.push_back(grown(std::move(growing)));
-  return all;
+  for (HoleGroup& group : groups) std::ranges::sort(group.seeds);
+  return groups;
 }
 
 std::size_t count_of(const std::vector<DatasetContents>& datasets, HoleState state) {
@@ -109,22 +84,19 @@ std::size_t count_of(const std::vector<DatasetContents>& datasets, HoleState sta
   return count;
 }
 
-constexpr std::array all_states{HoleState::failed, HoleState::refused, HoleState::interrupted,
-                                HoleState::open, HoleState::not_begun};
+struct StateWords {
+  const char* sign;  ///< so that neither colour nor reading is needed to find what is wrong
+  const char* word;
+};
+/// By HoleState.
+constexpr std::array<StateWords, 5> words_of_states{{{"✖", "failed"},
+                                                     {"✖", "refused"},
+                                                     {"‖", "interrupted"},
+                                                     {"‖", "running or killed"},
+                                                     {"○", "not begun"}}};
 
-/// A sign beside the word, so that neither colour nor reading is needed to find what is wrong.
-std::string sign_of(HoleState state) {
-  switch (state) {
-    case HoleState::failed:
-    case HoleState::refused:
-      return "✖ ";
-    case HoleState::interrupted:
-    case HoleState::open:
-      return "‖ ";
-    case HoleState::not_begun:
-      break;
-  }
-  return "○ ";
+const StateWords& words_of(HoleState state) {
+  return words_of_states.at(static_cast<std::size_t>(state));
 }
 
 std::string and_others(std::size_t count) {
@@ -151,7 +123,8 @@ Html table_of_hole_groups(const std::vector<HoleGroup>& groups) {
   for (const HoleGroup& group : groups) {
     text::Cell reasons = reasons_of(group);
     reasons.looks = "reason";
-    table.row({sign_of(group.state) + word_of(group.state), group.dataset, cells_label(group),
+    table.row({fmt::format("{} {}", words_of(group.state).sign, words_of(group.state).word),
+               group.dataset, cells_label(group),
                report::labelled_cell(static_cast<double>(group.diagnoses + group.scores),
                                      counted_cells(group.diagnoses, group.scores)),
                reasons, logs_of(group)},
@@ -162,21 +135,7 @@ Html table_of_hole_groups(const std::vector<HoleGroup>& groups) {
 
 }  // namespace
 
-std::string word_of(HoleState state) {
-  switch (state) {
-    case HoleState::failed:
-      return "failed";
-    case HoleState::refused:
-      return "refused";
-    case HoleState::interrupted:
-      return "interrupted";
-    case HoleState::open:
-      return "running or killed";
-    case HoleState::not_begun:
-      break;
-  }
-  return "not begun";
-}
+std::string word_of(HoleState state) { return words_of(state).word; }
 
 std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets) {
   std::vector<HoleGroup> groups;
@@ -206,7 +165,8 @@ std::string completeness(const std::vector<DatasetContents>& datasets) {
   }
   if (missing == 0) return "All " + counted_cells(diagnoses, scores) + " are there.";
   std::vector<std::string> states;
-  for (const HoleState state : all_states) {
+  for (std::size_t i = 0; i < words_of_states.size(); ++i) {
+    const auto state = static_cast<HoleState>(i);
     const std::size_t count = count_of(datasets, state);
     if (count > 0) states.push_back(fmt::format("{} {}", count, word_of(state)));
   }

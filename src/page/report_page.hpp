@@ -5,7 +5,7 @@
 
 #include "page/contents.hpp"
 #include "page/document.hpp"
-#include "page/pictures.hpp"
+#include "page/figures_view.hpp"
 #include "text/file.hpp"
 
 namespace piae::page {
@@ -36,5 +36,9 @@ std::string names_of(const std::vector<DatasetContents>& datasets);
 /// What was run, as pairs of a word and what it stands for: methods, ratios, seeds, split, cells.
 std::vector<std::pair<std::string, std::string>> facts_of(
     const std::vector<DatasetContents>& datasets);
+
+/// report.md: what was run, what is missing, the verdict and the main table, for terminals and pull
+/// requests. At most 100 columns wide. The same bytes for the same cells, as report_page().
+std::string report_text(const ReportContents& contents);
 
 }  // namespace piae::page

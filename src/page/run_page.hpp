@@ -1,13 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "page/document.hpp"
+#include "report/document.hpp"
 #include "run/step_log.hpp"
 
 namespace piae::page {
+
+/// The processor time that a method with a classifier takes of one seed: to train and to generate,
+/// and then to train the classifier and to ask it, with the most generated windows that the run has
+/// of this pair. The mean over the seeds whose logs are there and whose steps were done in one go.
+/// Empty where no diagnosis has left its log.
+std::optional<report::Section> cost_table(const std::vector<run::StepLog>& steps);
 
 inline constexpr std::size_t most_listed_steps = 5000;
 

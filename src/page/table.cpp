@@ -2,7 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "page/links.hpp"
+#include "page/html.hpp"
 
 namespace piae::page {
 

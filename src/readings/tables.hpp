@@ -5,7 +5,7 @@
 
 #include "readings/measure.hpp"
 #include "report/document.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "scoring/statistics.hpp"
 
 namespace piae::readings {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
-#include "report/bounded_summary.hpp"
 #include "report/labels.hpp"
 #include "report/paper.hpp"
 #include "scoring/ratios.hpp"
@@ -47,6 +47,22 @@ bool is_bar(const AccuracyRow& row) {
 }
 
 }  // namespace
+
+void bound(scoring::Summary& summary, const Bounds& bounds) {
+  constexpr std::size_t fewest_for_an_interval = 3;
+  if (summary.count < fewest_for_an_interval) {
+    summary.interval.reset();
+  } else {
+    summary.interval->low = std::max(summary.interval->low, bounds.low);
+    summary.interval->high = std::min(summary.interval->high, bounds.high);
+  }
+}
+
+scoring::Summary summarise_within(const Bounds& bounds, std::span<const double> values) {
+  scoring::Summary summary = scoring::summarise(values);
+  bound(summary, bounds);
+  return summary;
+}
 
 AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diagnosis>& cells) {
   const run::Diagnosis& first = cells.front();
@@ -115,6 +131,12 @@ std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std
   std::ranges::copy_if(rows, std::back_inserter(own),
                        [&](const AccuracyRow& row) { return row.method == method; });
   return own;
+}
+
+std::vector<std::int64_t> seeds_of_any(const std::vector<AccuracyRow>& rows) {
+  std::set<std::int64_t> seeds;
+  for (const AccuracyRow& row : rows) seeds.insert(row.seeds.begin(), row.seeds.end());
+  return {seeds.begin(), seeds.end()};
 }
 
 std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {

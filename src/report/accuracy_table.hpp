@@ -13,7 +13,7 @@ namespace piae::report {
 /// accuracy.csv and gains.csv: dataset,method,classifier,ratio and the fields of
 /// accuracy_columns(): generated_per_class,seeds,mean,std,ci95_low,ci95_high,published in percent
 /// or points; `seeds` is how many there are. Empty are the standard deviation of a single seed, an
-/// interval that no table shows (report/bounded_summary.hpp), and what the paper does not publish
+/// interval that no table shows (report/accuracies.hpp), and what the paper does not publish
 /// of this very dataset. Where kinds of defects are told apart, the columns
 /// kind_mean,kind_std,kind_ci95_low,kind_ci95_high follow.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);

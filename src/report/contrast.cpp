@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/columns.hpp"
 #include "report/labels.hpp"
 #include "report/paper.hpp"

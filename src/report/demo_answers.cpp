@@ -145,8 +145,8 @@ std::string demo_answers(const DemoCells& cells) {
   const Compared same = compared(cells.same_speed, "the question at the same speed");
   const Compared other = compared(cells.other_speed, "the question at another speed");
   const std::size_t seeds = same.alone.seeds.size();
-  return fmt::format("Three questions about a simulated bearing (percent correct, {} seed{}):\n\n",
-                     seeds, seeds == 1 ? "" : "s") +
+  return fmt::format("Three questions about a simulated bearing (percent correct, {}):\n\n",
+                     counted(seeds, "seed")) +
          numbered(1, "A few windows of each fault are known. What helps a classifier of waveforms?",
                   answer_at_the_same_speed(same)) +
          numbered(2, question_at_the_other_speed(cells.other_speed.front()),

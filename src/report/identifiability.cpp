@@ -167,8 +167,7 @@ std::string models_label(const std::vector<Identification>& all) {
     for (const Identification& one : all) {
       if (one.method == method) seeds.push_back(one.seed);
     }
-    by_method[method] =
-        fmt::format("{} seed{} ({})", seeds.size(), seeds.size() == 1 ? "" : "s", seed_list(seeds));
+    by_method[method] = fmt::format("{} ({})", counted(seeds.size(), "seed"), seed_list(seeds));
     labels.insert(by_method[method]);
   }
   if (labels.size() == 1) return *labels.begin();

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "augment/catalogue.hpp"
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/labels.hpp"
 #include "report/ratio_means.hpp"
 

@@ -41,7 +41,7 @@ double least_p_of(const PairedRow& row, const std::vector<PairedRow>& rows);
 
 /// The columns of CSV files: seeds,mean_difference,ci95_low,ci95_high,rank_biserial,p,p_holm. All
 /// but the first two are empty for a single seed, the interval for fewer than three
-/// (report/bounded_summary.hpp), and p_holm for a ceiling.
+/// (report/accuracies.hpp), and p_holm for a ceiling.
 Columns<PairedRow> paired_columns();
 
 /// The rows of each method together; they point into `rows`.

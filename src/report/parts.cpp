@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
@@ -122,13 +122,13 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent by {} where one setting of {} is moved and all others are those of the "
       "grid. The difference to the method as it is in the grid is in points and paired by seed: "
-      "below zero the method is worse without that part. {}Split protocol {}; {} seed{} ({}). "
+      "below zero the method is worse without that part. {}Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}",
       sweep.classifier, sweep.method,
       kinds ? "By kind: a window counts as right where the damaged part of the bearing is named, "
               "whatever the size of the defect. "
             : "",
-      to_string(results.diagnoses.front().protocol), seeds.size(), seeds.size() == 1 ? "" : "s",
+      to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),
       seed_list(seeds), about_intervals));
   for (const std::vector<PartRow>& block : by_ratio(rows)) {
     const AccuracyRow& first = block.front().moved.accuracy;

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "augment/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/labels.hpp"
-#include "report/largest_block.hpp"
 #include "report/paper.hpp"
+#include "report/ratio_means.hpp"
 #include "text/csv.hpp"
 
 namespace piae::report {
@@ -25,8 +24,7 @@ struct RankedCell {
 };
 
 std::vector<RankedCell> cells_of_any(const std::vector<AccuracyRow>& rows) {
-  std::set<std::int64_t> seeds;
-  for (const AccuracyRow& row : rows) seeds.insert(row.seeds.begin(), row.seeds.end());
+  const std::vector<std::int64_t> seeds = seeds_of_any(rows);
   std::vector<RankedCell> cells;
   for (const RatioColumn& ratio : compared_columns(rows)) {
     for (const std::int64_t seed : seeds) cells.push_back({ratio, seed});
@@ -38,18 +36,6 @@ std::optional<double> value_at(const std::vector<AccuracyRow>& rows, const std::
                                const RankedCell& cell) {
   const AccuracyRow* const row = find_row(rows, method, cell.ratio.ratio);
   return row == nullptr ? std::nullopt : row->at(cell.seed);
-}
-
-/// The methods and the cells that have no gap among them.
-Block ranked_block(const std::vector<AccuracyRow>& rows, const std::vector<std::string>& methods,
-                   const std::vector<RankedCell>& cells) {
-  std::vector<std::vector<std::size_t>> has(methods.size());
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (value_at(rows, methods[m], cells[c])) has[m].push_back(c);
-    }
-  }
-  return largest_block(has, 2, 1);
 }
 
 /// Whether these are so few seeds that Friedman's p is not small even where all rank all methods
@@ -155,7 +141,10 @@ RankTable rank_methods(const std::vector<AccuracyRow>& rows) {
   std::vector<std::string> methods = methods_of(rows);
   std::erase_if(methods, augment::is_ceiling);
   const std::vector<RankedCell> cells = cells_of_any(rows);
-  const Block block = ranked_block(rows, methods, cells);
+  const auto has = [&](std::size_t m, std::size_t c) {
+    return value_at(rows, methods[m], cells[c]).has_value();
+  };
+  const Block block = largest_block(columns_of_rows(methods.size(), cells.size(), has), 2, 1);
   if (block.rows.empty()) return table;
   std::vector<RankedCell> ranked;
   for (const std::size_t c : block.columns) ranked.push_back(cells[c]);

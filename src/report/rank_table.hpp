@@ -29,7 +29,7 @@ struct RankTable {
 
 /// `rows` are of accuracy_rows() and of one classifier. `none` is ranked at every ratio, with its
 /// one accuracy. Ranks are of methods that all have the same cells: those with the most cells
-/// together (report/largest_block.hpp). The table has no ratios where these are less than two
+/// together (largest_block()). The table has no ratios where these are less than two
 /// methods.
 RankTable rank_methods(const std::vector<AccuracyRow>& rows);
 

@@ -4,38 +4,32 @@
 
 #include "augment/catalogue.hpp"
 #include "report/accuracies.hpp"
-#include "report/bounded_summary.hpp"
-#include "report/largest_block.hpp"
 
 namespace piae::report {
 
-namespace {
-
-std::vector<std::int64_t> seeds_of_any(const std::vector<AccuracyRow>& rows) {
-  std::vector<std::int64_t> seeds;
-  for (const AccuracyRow& row : rows) seeds.insert(seeds.end(), row.seeds.begin(), row.seeds.end());
-  std::ranges::sort(seeds);
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  return seeds;
-}
-
-/// For each seed the rows that have it.
-std::vector<std::vector<std::size_t>> rows_by_seed(const std::vector<AccuracyRow>& rows,
-                                                   const std::vector<std::int64_t>& seeds) {
-  std::vector<std::vector<std::size_t>> by_seed(seeds.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (rows[r].at(seeds[i])) by_seed[i].push_back(r);
+Block largest_block(const std::vector<std::vector<std::size_t>>& has, std::size_t least_rows,
+                    std::size_t least_columns) {
+  Block best;
+  for (const std::vector<std::size_t>& columns : has) {
+    Block block{.columns = columns};
+    for (std::size_t row = 0; row < has.size(); ++row) {
+      if (std::ranges::includes(has[row], columns)) block.rows.push_back(row);
+    }
+    const bool counts = block.rows.size() >= least_rows && columns.size() >= least_columns;
+    if (counts && block.rows.size() * columns.size() > best.rows.size() * best.columns.size()) {
+      best = std::move(block);
     }
   }
-  return by_seed;
+  return best;
 }
-
-}  // namespace
 
 std::optional<AccuracyRow> mean_row(const std::vector<AccuracyRow>& rows) {
   const std::vector<std::int64_t> seeds = seeds_of_any(rows);
-  const Block block = largest_block(rows_by_seed(rows, seeds), 1, 2);
+  const Block block = largest_block(columns_of_rows(seeds.size(), rows.size(),
+                                                    [&](std::size_t i, std::size_t r) {
+                                                      return rows[r].at(seeds[i]).has_value();
+                                                    }),
+                                    1, 2);
   if (block.rows.empty()) return std::nullopt;
   AccuracyRow mean;
   mean.dataset = rows.front().dataset;

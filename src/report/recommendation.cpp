@@ -6,9 +6,8 @@
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "report/accuracies.hpp"
-#include "report/bounded_summary.hpp"
 #include "report/labels.hpp"
-#include "report/largest_block.hpp"
+#include "report/ratio_means.hpp"
 
 namespace piae::report {
 
@@ -25,14 +24,6 @@ std::vector<AccuracyRow> rows_at(const std::vector<AccuracyRow>& rows, const std
   return own;
 }
 
-std::vector<std::int64_t> seeds_of_all(const std::vector<AccuracyRow>& rows) {
-  std::vector<std::int64_t> seeds;
-  for (const AccuracyRow& row : rows) seeds.insert(seeds.end(), row.seeds.begin(), row.seeds.end());
-  std::ranges::sort(seeds);
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  return seeds;
-}
-
 AccuracyRow at_seeds(AccuracyRow row, const std::vector<std::int64_t>& seeds) {
   std::vector<double> values(seeds.size());
   std::ranges::transform(seeds, values.begin(), [&](std::int64_t seed) { return *row.at(seed); });
@@ -45,14 +36,9 @@ AccuracyRow at_seeds(AccuracyRow row, const std::vector<std::int64_t>& seeds) {
 /// The rows of the largest block without a gap, at its seeds. The others are named in `left_out`.
 std::vector<AccuracyRow> without_gaps(const std::vector<AccuracyRow>& rows,
                                       std::vector<std::string>& left_out) {
-  const std::vector<std::int64_t> seeds = seeds_of_all(rows);
-  std::vector<std::vector<std::size_t>> has(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t s = 0; s < seeds.size(); ++s) {
-      if (rows[r].at(seeds[s])) has[r].push_back(s);
-    }
-  }
-  const Block block = largest_block(has, 1, 1);
+  const std::vector<std::int64_t> seeds = seeds_of_any(rows);
+  const auto has = [&](std::size_t r, std::size_t s) { return rows[r].at(seeds[s]).has_value(); };
+  const Block block = largest_block(columns_of_rows(rows.size(), seeds.size(), has), 1, 1);
   std::vector<std::int64_t> common;
   for (const std::size_t s : block.columns) common.push_back(seeds[s]);
   std::vector<AccuracyRow> kept;

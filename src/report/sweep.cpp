@@ -8,7 +8,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/bounded_summary.hpp"
+#include "report/accuracies.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"
@@ -226,9 +226,9 @@ Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
   const std::string fewer = fewer_seeds_note(rows, seeds.size());
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "
-      "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} seed{} ({}). "
+      "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}{}",
-      to_string(results.diagnoses.front().protocol), seeds.size(), seeds.size() == 1 ? "" : "s",
+      to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),
       seed_list(seeds), about_intervals, fewer.empty() ? "" : " " + fewer));
   for (const std::string& factor : factors_of(sweep)) {
     document.sections.push_back({factor, "By " + factor, "", factor_table(factor, rows)});

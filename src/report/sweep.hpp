@@ -72,7 +72,7 @@ std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all)
 
 /// sweep.csv: dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high in percent; `seeds` is
 /// how many there are. Empty are the standard deviation of a single seed, and an interval that no
-/// table shows (report/bounded_summary.hpp).
+/// table shows (report/accuracies.hpp).
 std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows);
 
 /// The same for people: a table for each factor, with a block for each of its values.

@@ -8,7 +8,6 @@
 #include "augment/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/accuracy_table.hpp"
-#include "report/bounded_summary.hpp"
 #include "report/decisions_table.hpp"
 #include "report/gaps.hpp"
 #include "report/paper.hpp"
@@ -32,12 +31,12 @@ std::string ceiling_note(const run::Grid& grid) {
 
 std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
   return fmt::format(
-      "Split protocol {}; {} seed{} ({}), each with a split, a generator and a classifier of its "
+      "Split protocol {}; {} ({}), each with a split, a generator and a classifier of its "
       "own. Numbers are the mean ± the sample standard deviation over the seeds. {} Ratios are "
       "healthy windows to those of each fault class, as the paper names them; where the true one "
       "differs, it follows in brackets.{}",
-      protocol, grid.seeds.size(), grid.seeds.size() == 1 ? "" : "s", seed_list(grid.seeds),
-      about_intervals, ceiling_note(grid));
+      protocol, counted(grid.seeds.size(), "seed"), seed_list(grid.seeds), about_intervals,
+      ceiling_note(grid));
 }
 
 /// The tables of one classifier.

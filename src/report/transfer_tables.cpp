@@ -10,7 +10,6 @@
 #include "augment/catalogue.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "report/accuracies.hpp"
-#include "report/bounded_summary.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
 #include "report/labels.hpp"

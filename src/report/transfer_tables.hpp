@@ -3,7 +3,7 @@
 #include <string>
 
 #include "report/document.hpp"
-#include "report/transfer_group.hpp"
+#include "report/transfer.hpp"
 
 namespace piae::report {
 

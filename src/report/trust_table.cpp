@@ -12,18 +12,6 @@ namespace piae::report {
 
 namespace {
 
-/// The values of one row, a number for each seed.
-struct TrustSeries {
-  std::vector<double> accuracy;
-  std::vector<double> raw_calibration_error;
-  std::vector<double> calibration_error;
-  std::vector<double> called_unknown;
-  std::vector<double> temperature;
-  std::vector<double> auroc;
-  std::vector<double> untrained_called_unknown;
-  std::map<Label, std::vector<double>> by_class;
-};
-
 void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassifier& kept,
                      const run::Grid& grid, const run::Combination& combination,
                      std::int64_t seed) {
@@ -40,31 +28,46 @@ void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassi
                                  combination.method, combination.ratio, seed));
 }
 
-void add_kept(TrustSeries& series, const diagnosis::KeptClassifier& kept,
-              const diagnosis::Trust& trust) {
-  series.accuracy.push_back(100 * trust.accuracy);
-  series.raw_calibration_error.push_back(100 * trust.raw_calibration_error);
-  series.calibration_error.push_back(100 * trust.calibration_error);
-  series.called_unknown.push_back(100 * trust.called_unknown);
-  series.temperature.push_back(kept.calibration().temperature);
-  if (trust.untrained.empty()) return;
-  const auto classes = static_cast<double>(trust.untrained.size());
-  double auroc = 0;
-  double called_unknown = 0;
-  for (const auto& [label, of_class] : trust.untrained) {
-    series.by_class[label].push_back(of_class.auroc);
-    auroc += of_class.auroc / classes;
-    called_unknown += 100 * of_class.called_unknown / classes;
+/// The mean over the seeds of each of these shares, in percent.
+scoring::Summary percent_of(const std::vector<diagnosis::Trust>& trusts,
+                            double diagnosis::Trust::*share) {
+  std::vector<double> values;
+  for (const diagnosis::Trust& trust : trusts) values.push_back(100 * trust.*share);
+  return scoring::summarise(values);
+}
+
+/// Of the classes that were left out, where it can be told what is strange.
+void add_untrained(TrustRow& row, const std::vector<diagnosis::Trust>& trusts,
+                   const std::map<Label, std::string>& names) {
+  std::vector<double> aurocs;
+  std::vector<double> unknown;
+  std::map<Label, std::vector<double>> by_class;
+  for (const diagnosis::Trust& trust : trusts) {
+    if (trust.untrained.empty()) continue;
+    const auto classes = static_cast<double>(trust.untrained.size());
+    double auroc = 0;
+    double called_unknown = 0;
+    for (const auto& [label, of_class] : trust.untrained) {
+      by_class[label].push_back(of_class.auroc);
+      auroc += of_class.auroc / classes;
+      called_unknown += 100 * of_class.called_unknown / classes;
+    }
+    aurocs.push_back(auroc);
+    unknown.push_back(called_unknown);
   }
-  series.auroc.push_back(auroc);
-  series.untrained_called_unknown.push_back(called_unknown);
+  if (aurocs.empty()) return;
+  row.auroc = scoring::summarise(aurocs);
+  row.untrained_called_unknown = scoring::summarise(unknown);
+  for (const auto& [label, values] : by_class) {
+    row.auroc_by_class.emplace_back(names.at(label), scoring::summarise(values));
+  }
 }
 
 TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
                    const run::Combination& combination) {
-  TrustSeries series;
-  TrustRow row;
-  row.combination = combination;
+  using diagnosis::Trust;
+  std::vector<Trust> trusts;
+  std::vector<double> temperatures;
   std::map<Label, std::string> names;
   for (const std::int64_t seed : grid.seeds) {
     const artefact::Reader reader(
@@ -72,23 +75,19 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
         "classifier");
     const diagnosis::KeptClassifier kept(reader);
     require_of_cell(reader, kept, grid, combination, seed);
-    add_kept(series, kept, diagnosis::read_trust(reader, kept.info()));
+    trusts.push_back(diagnosis::read_trust(reader, kept.info()));
+    temperatures.push_back(kept.calibration().temperature);
     for (const Label label : kept.info().fault_labels()) {
       names[label] = kept.info().class_of(label).name;
     }
   }
-  row.accuracy = scoring::summarise(series.accuracy);
-  row.raw_calibration_error = scoring::summarise(series.raw_calibration_error);
-  row.calibration_error = scoring::summarise(series.calibration_error);
-  row.called_unknown = scoring::summarise(series.called_unknown);
-  row.temperature = scoring::summarise(series.temperature);
-  if (!series.auroc.empty()) {
-    row.auroc = scoring::summarise(series.auroc);
-    row.untrained_called_unknown = scoring::summarise(series.untrained_called_unknown);
-  }
-  for (const auto& [label, aurocs] : series.by_class) {
-    row.auroc_by_class.emplace_back(names[label], scoring::summarise(aurocs));
-  }
+  TrustRow row{.combination = combination,
+               .accuracy = percent_of(trusts, &Trust::accuracy),
+               .raw_calibration_error = percent_of(trusts, &Trust::raw_calibration_error),
+               .calibration_error = percent_of(trusts, &Trust::calibration_error),
+               .called_unknown = percent_of(trusts, &Trust::called_unknown),
+               .temperature = scoring::summarise(temperatures)};
+  add_untrained(row, trusts, names);
   return row;
 }
 
@@ -97,30 +96,38 @@ std::string name_of_row(const TrustRow& row) {
 }
 
 Section calibration_section(const std::vector<TrustRow>& rows) {
-  text::Table table({"method", "ratio", "accuracy", "error as is", "calibrated", "temperature"}, 2);
-  for (const TrustRow& row : rows) {
-    table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
-               mean_label(row.accuracy, {.decimals = 1}),
-               mean_label(row.raw_calibration_error, {.decimals = 1}),
-               mean_label(row.calibration_error, {.decimals = 1}), mean_label(row.temperature)});
-  }
+  using Row = TrustRow;
+  const auto percent = [](scoring::Summary Row::*summary) {
+    return [summary](const Row& row) { return mean_cell(row.*summary, percent_style); };
+  };
+  Columns<Row> columns;
+  columns.words("method", name_of_row)
+      .words("ratio", [](const Row& row) { return short_ratio_label(row.combination.ratio); })
+      .numbers("accuracy", percent(&Row::accuracy))
+      .numbers("error as is", percent(&Row::raw_calibration_error))
+      .numbers("calibrated", percent(&Row::calibration_error))
+      .numbers("temperature", [](const Row& row) { return mean_cell(row.temperature); });
   return {.key = "calibration",
           .title = "How sure a classifier says it is, and how often it is right, percent",
           .note =
               "Expected calibration error over ten bins of the test windows (Guo et al. 2017): "
               "as the softmax says, and with the temperature that was found on windows left "
               "out of trainings of their own, none of which is tested.",
-          .table = table};
+          .table = columns.table(rows)};
 }
 
 Section unknown_section(const std::vector<TrustRow>& rows) {
   text::Table table({"method", "ratio", "called unknown", "untrained: area", "untrained: unknown"},
                     2);
   for (const TrustRow& row : rows) {
-    table.row({name_of_row(row), short_ratio_label(row.combination.ratio),
-               row.auroc ? mean_label(row.called_unknown, {.decimals = 1}) : no_number,
-               row.auroc ? mean_label(*row.auroc, {.decimals = 3}) : no_number,
-               row.auroc ? mean_label(*row.untrained_called_unknown, {.decimals = 1}) : no_number});
+    text::Cells cells{name_of_row(row), short_ratio_label(row.combination.ratio), no_number,
+                      no_number, no_number};
+    if (row.auroc) {
+      cells[2] = mean_cell(row.called_unknown, percent_style);
+      cells[3] = mean_cell(*row.auroc, {.decimals = 3});
+      cells[4] = mean_cell(*row.untrained_called_unknown, percent_style);
+    }
+    table.row(std::move(cells));
   }
   return {.key = "unknown",
           .title = "Windows that look like nothing that was trained",

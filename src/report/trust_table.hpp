@@ -25,10 +25,10 @@ struct TrustRow {
   /// If a class had not been trained: the mean over the classes of how well its windows are told
   /// from the others, in [0, 1], and which share of them is called unknown, in percent.
   /// None where it cannot be told what is strange (KeptClassifier::strangeness()).
-  std::optional<scoring::Summary> auroc;
-  std::optional<scoring::Summary> untrained_called_unknown;
+  std::optional<scoring::Summary> auroc = {};
+  std::optional<scoring::Summary> untrained_called_unknown = {};
   /// The area of each class, by its name.
-  std::vector<std::pair<std::string, scoring::Summary>> auroc_by_class;
+  std::vector<std::pair<std::string, scoring::Summary>> auroc_by_class = {};
 };
 
 /// Reads the kept classifier of every cell. Throws artefact::Refusal for one that is not there, or

@@ -37,8 +37,7 @@ std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_
   words.reserve(gains.size());
   for (const AccuracyRow& gain : gains) {
     const std::size_t seeds = gain.seeds.size();
-    const std::string fewer =
-        seeds < most_seeds ? fmt::format(", {} seed{}", seeds, seeds == 1 ? "" : "s") : "";
+    const std::string fewer = seeds < most_seeds ? ", " + counted(seeds, "seed") : "";
     words.push_back(fmt::format("{} ({:+.1f}{})", gain.method, gain.summary.mean, fewer));
   }
   return listed(words);

@@ -10,7 +10,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/transfer_group.hpp"
+#include "report/transfer.hpp"
 #include "settings/lists.hpp"
 #include "signal/ranges.hpp"
 

@@ -1,6 +1,6 @@
-#include "page/hole.hpp"
-
 #include <gtest/gtest.h>
+
+#include "page/contents.hpp"
 
 namespace piae::page {
 namespace {

@@ -1,6 +1,6 @@
-#include "page/links.hpp"
-
 #include <gmock/gmock.h>
+
+#include "page/html.hpp"
 
 namespace piae::page {
 namespace {

@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "page/problems.hpp"
-#include "page/report_text.hpp"
 #include "support/errors.hpp"
 #include "support/published_tables.hpp"
 #include "support/stored_run.hpp"

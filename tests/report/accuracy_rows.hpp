@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "report/accuracies.hpp"
-#include "report/bounded_summary.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::report {

@@ -1,8 +1,8 @@
-#include "report/bounded_summary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "report/accuracies.hpp"
 
 namespace piae::report {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "report/decisions_table.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "report/tables.hpp"
 #include "support/stored_run.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "report/tables.hpp"
 #include "run/held.hpp"
 #include "support/stored_run.hpp"

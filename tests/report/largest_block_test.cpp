@@ -1,6 +1,6 @@
-#include "report/largest_block.hpp"
-
 #include <gmock/gmock.h>
+
+#include "report/ratio_means.hpp"
 
 namespace piae::report {
 namespace {

@@ -1,10 +1,9 @@
-#include "report/published.hpp"
-
 #include <gmock/gmock.h>
 
 #include <fstream>
 
 #include "base/error.hpp"
+#include "report/paper.hpp"
 #include "support/published_tables.hpp"
 
 namespace piae::report {

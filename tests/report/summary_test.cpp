@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "report/document.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "report/tables.hpp"
 #include "report/verdict.hpp"
 #include "run/grid.hpp"

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "report/accuracy_table.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "report/quality_table.hpp"
 #include "run/held.hpp"
 #include "support/published_tables.hpp"

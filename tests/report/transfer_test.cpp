@@ -1,11 +1,12 @@
 // What methods are worth in the mean over datasets.
 
+#include "report/transfer.hpp"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
 #include "report/accuracy_rows.hpp"
-#include "report/read_transfer.hpp"
 #include "report/transfer_tables.hpp"
 #include "support/errors.hpp"
 #include "support/stored_run.hpp"

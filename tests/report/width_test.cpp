@@ -8,7 +8,7 @@
 #include "augment/catalogue.hpp"
 #include "report/accuracy_table.hpp"
 #include "report/contrast.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "report/ratio_means.hpp"
 #include "report/tables.hpp"
 

@@ -14,7 +14,7 @@
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
 #include "raw/uff.hpp"
-#include "report/published.hpp"
+#include "report/paper.hpp"
 #include "settings/protocol.hpp"
 #include "settings/sweeps.hpp"
 #include "signal/description.hpp"
