@@ -331,9 +331,10 @@ std::vector<Section> ratio_sections(const ClassifierRows& block, std::size_t see
 
 std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
                                        const Published& published) {
-  const auto& [classifier, rows, bar] = of_classifier;
+  const Rows& rows = of_classifier.rows;
+  const std::optional<AccuracyRow>& bar = of_classifier.bar;
   const std::string& dataset = rows.front().dataset;
-  const PaperReference reference(dataset, classifier);
+  const PaperReference reference(dataset, of_classifier.classifier);
   const Rows gains = gain_rows(rows);
   std::vector<std::string> methods = methods_of(rows);
   const auto means_of = [&](const scoring::Summary& (*shown)(const AccuracyRow&)) {

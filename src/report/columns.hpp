@@ -83,8 +83,10 @@ class Columns {
   /// The columns of a part of each row.
   template <class Part, class PartOf>
   Columns& with(const Columns<Part>& others, PartOf part_of) {
-    for (const auto& [column, cell_of] : others.columns_) {
-      add(column, [cell_of, part_of](const Of& row) { return cell_of(std::invoke(part_of, row)); });
+    for (const auto& other : others.columns_) {
+      const auto& cell_of = other.second;
+      add(other.first,
+          [cell_of, part_of](const Of& row) { return cell_of(std::invoke(part_of, row)); });
     }
     return *this;
   }

@@ -29,8 +29,8 @@ void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassi
 }
 
 /// The mean over the seeds of each of these shares, in percent.
-scoring::Summary percent_of(const std::vector<diagnosis::Trust>& trusts,
-                            double diagnosis::Trust::*share) {
+scoring::Summary percent_over_seeds(const std::vector<diagnosis::Trust>& trusts,
+                                    double diagnosis::Trust::*share) {
   std::vector<double> values;
   for (const diagnosis::Trust& trust : trusts) values.push_back(100 * trust.*share);
   return scoring::summarise(values);
@@ -82,10 +82,10 @@ TrustRow trust_row(const run::Layout& layout, const run::Grid& grid,
     }
   }
   TrustRow row{.combination = combination,
-               .accuracy = percent_of(trusts, &Trust::accuracy),
-               .raw_calibration_error = percent_of(trusts, &Trust::raw_calibration_error),
-               .calibration_error = percent_of(trusts, &Trust::calibration_error),
-               .called_unknown = percent_of(trusts, &Trust::called_unknown),
+               .accuracy = percent_over_seeds(trusts, &Trust::accuracy),
+               .raw_calibration_error = percent_over_seeds(trusts, &Trust::raw_calibration_error),
+               .calibration_error = percent_over_seeds(trusts, &Trust::calibration_error),
+               .called_unknown = percent_over_seeds(trusts, &Trust::called_unknown),
                .temperature = scoring::summarise(temperatures)};
   add_untrained(row, trusts, names);
   return row;
