@@ -28,7 +28,7 @@ std::optional<double> difference(std::optional<double> a, std::optional<double> 
   return a && b ? std::optional(*a - *b) : std::nullopt;
 }
 
-/// Without values where the rows have no seed in common.
+/// Returns a row without values if the rows have no seed in common.
 AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
   const Pairs pairs = pairs_of(row, baseline);
   row.seeds = pairs.seeds;

@@ -8,21 +8,21 @@
 
 namespace piae::report {
 
-/// A number that tables show of each method and ratio. One entry in accuracy_columns.cpp is all
-/// that a column needs: accuracy.csv, gains.csv, the table that `tabulate` prints, tables.md and
-/// tables.tex have it, and so has each cell of the tables in report.html, as a line of its own.
+/// A number that tables show for each method and ratio. One entry in accuracy_columns.cpp adds the
+/// column to accuracy.csv, gains.csv, the table that `tabulate` prints, tables.md and tables.tex,
+/// and a line to each cell of the tables in report.html.
 struct AccuracyColumn {
-  const char* field = "";     ///< its name in CSV; empty where CSV does not have it
-  const char* terminal = "";  ///< its heading in the terminal; empty where it is not there
-  const char* heading = "";   ///< in documents, and before the number on a page; empty likewise
-  /// Set where the column is left out of data sets that tell kinds of defect apart (false), or of
-  /// all others (true).
+  const char* field = "";     ///< its name in CSV; empty if CSV does not have the column
+  const char* terminal = "";  ///< its heading in the terminal; empty if not shown there
+  const char* heading =
+      "";  ///< in documents, and before the number on a page; empty if shown in neither
+  /// True: only for datasets with fault types. False: only for datasets without. Empty: for all.
   std::optional<bool> kinds = {};
-  /// `style` is that of accuracies, or of gains.
+  /// `style` is the style of accuracies or of gains.
   text::Cell (*cell)(const AccuracyRow& row, NumberStyle style);
 };
 
-/// In their order. Documents and pages leave out a column in which no row has anything.
+/// Returns the columns in order. Documents and pages leave out a column that is empty in all rows.
 std::span<const AccuracyColumn> accuracy_columns();
 
 }  // namespace piae::report

@@ -22,10 +22,11 @@ using Rows = std::vector<AccuracyRow>;
 
 bool has_interval(const AccuracyRow& row) { return row.summary.interval.has_value(); }
 
-/// For whom a table with a row for each method and ratio is written.
+/// Reader of a table with a row for each method and ratio.
 enum class Writer { csv, terminal, documents };
 
-/// Its heading of a column; empty where it does not have it. `paper` is that of published numbers.
+/// Returns the heading of a column, empty if `writer` does not show it. `paper` is the heading of
+/// published numbers.
 std::string heading_of(const AccuracyColumn& column, Writer writer, const std::string& paper) {
   if (writer == Writer::csv) return column.field;
   if (writer == Writer::terminal) return column.terminal;
@@ -63,14 +64,14 @@ text::Table rows_table(const std::vector<ShownRow>& rows, Writer writer, NumberS
   return columns.table(rows);
 }
 
-/// Whether any of a method's rows has fewer seeds than rows of others have.
+/// True if any row of a method has fewer seeds than a row of another method.
 bool has_fewer_seeds(const Rows& own, const Rows& all) {
   const auto count = [](const AccuracyRow& row) { return row.seeds.size(); };
   return count(*std::ranges::min_element(own, {}, count)) <
          count(*std::ranges::max_element(all, {}, count));
 }
 
-/// "1, seed 0"; where the paper has more runs than there are seeds, "6".
+/// Returns "1, seed 0", or "6" if the paper has more runs than there are seeds.
 std::string run_label(std::size_t run, const std::vector<std::int64_t>& seeds) {
   const std::string label = std::to_string(run + 1);
   return run < seeds.size() ? label + ", seed " + std::to_string(seeds[run]) : label;
@@ -80,14 +81,14 @@ std::string value_label(const std::vector<double>& percents, std::size_t run) {
   return run < percents.size() ? number_label(percents[run]) : "";
 }
 
-/// What a row has at the seed of a run; empty where it does not have it.
+/// Returns the value of a row at the seed of a run, or "" if the row does not have the seed.
 std::string value_of_seed(const AccuracyRow& row, const std::vector<std::int64_t>& seeds,
                           std::size_t run) {
   const auto value = run < seeds.size() ? row.at(seeds[run]) : std::nullopt;
   return value ? number_label(*value) : "";
 }
 
-/// As Table 6, but with a run in each row: ten would be too wide. `bar` is null where it is
+/// Returns Table 6 with a run in each row, because ten columns would be too wide. `bar` is null if
 /// unknown.
 text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
                        const PaperReference& reference, const Published& published) {
@@ -126,18 +127,18 @@ void add_line(text::Table& table, const std::string& name, const Rows& own,
   table.row(std::move(cells), looks_of(own.front().method));
 }
 
-/// "Model 2"; "outlook" where the paper has no number for it.
+/// Returns "Model 2", or "outlook" if the paper has no number for the model.
 std::string model_name(const augment::CatalogueEntry& model) {
   return model.model > 0 ? "Model " + std::to_string(model.model) : "outlook";
 }
 
-/// "ae (Model 2)": how a table of the models names a method.
+/// Returns "ae (Model 2)", the name of a method in a table of the models.
 std::string model_label(const std::string& method) {
   return method + " (" + model_name(*augment::find_entry(method)) + ")";
 }
 
-/// A block for each method, and in it a row for each ratio. `bar` is null where it is unknown, or
-/// no part of the table.
+/// Returns a block for each method, with a row for each ratio. `bar` is null if it is unknown or
+/// not part of the table.
 text::Table blocks_table(const MethodGroup& group, const Rows& rows, const AccuracyRow* bar,
                          const PaperReference& reference, NumberStyle style) {
   std::vector<ShownRow> shown;
@@ -208,13 +209,13 @@ void add_group(std::vector<Section>& sections, const MethodGroup& group,
                gain_note, blocks_table(group, gains, nullptr, reference, {.sign = true})}));
 }
 
-/// Which artefacts a mean was made from.
+/// Returns the artefacts that a mean was computed from.
 std::string files_of(const AccuracyRow& row) {
   return fmt::format("{}/seed{{{}}}/{}/{}/{}/diagnosis.h5, attribute accuracy", row.dataset,
                      fmt::join(row.seeds, ","), row.method, row.ratio, row.classifier);
 }
 
-/// The mean, and below it all other columns that have something to say.
+/// Returns the mean, with all other columns that are not empty below it.
 text::Cell page_cell(const AccuracyRow& row, NumberStyle style, const PaperReference& reference,
                      std::size_t seeds) {
   text::Cell cell = mean_cell(row.summary, style);
@@ -233,7 +234,7 @@ text::Cell page_cell(const AccuracyRow& row, NumberStyle style, const PaperRefer
   return cell;
 }
 
-/// With a sign beside the colour.
+/// Adds a sign to the text, so that the effect does not depend on colour.
 text::Cell with_effect(text::Cell cell, Effect effect) {
   constexpr std::array signs{"▲ ", "○ ", "▼ "};
   constexpr std::array looks{"helps", "unclear", "harms"};
@@ -242,7 +243,7 @@ text::Cell with_effect(text::Cell cell, Effect effect) {
   return cell;
 }
 
-/// Behind the title of a table: by which classifier, unless it is the paper's.
+/// Returns the classifier for the end of a table's title, or "" for the paper's classifier.
 std::string by(const ClassifierRows& block) {
   return block.classifier == scoring::paper_classifier ? "" : ", by " + block.classifier;
 }

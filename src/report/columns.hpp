@@ -11,23 +11,23 @@
 
 namespace piae::report {
 
-/// A number that people read as this label, and a page sorts by itself.
+/// Returns a number that people see as this label and by which a page sorts.
 text::Cell labelled_cell(double number, const std::string& label);
-/// A number as a table shows it; with four decimals in CSV.
+/// Returns a number as a table shows it; with four decimals in CSV.
 text::Cell number_cell(double number, NumberStyle style = {});
 text::Cell count_cell(std::size_t count);
-/// "85.40 ± 1.20", sorted by the mean.
+/// Returns "85.40 ± 1.20", sorted by the mean.
 text::Cell mean_cell(const scoring::Summary& summary, NumberStyle style = {});
-/// "[84.01, 86.79]"; in CSV the lower end.
+/// Returns "[84.01, 86.79]"; in CSV the lower end.
 text::Cell interval_cell(const scoring::Summary& summary, NumberStyle style = {});
-/// A share of windows in percent, or no_number where there was no such window; which windows it is
-/// of is its source.
+/// Returns a share of windows in percent, or no_number for an empty share. The source of the cell
+/// is "3 of 4 windows".
 text::Cell share_cell(const scoring::Share& share);
-/// The same of windows that were recognised: the fewer, the stronger a page shades it.
+/// Returns the share of windows that were recognised. A page shades lower shares more strongly.
 text::Cell recall_cell(const scoring::Share& share);
 
-/// The columns of a table whose rows are made of `Of`, each column said once for all ways of
-/// writing the table. Cells are made by functions of a row, or are its members.
+/// Columns of a table with rows of type `Of`, defined once for all formats. A cell is a function of
+/// a row or one of its members.
 template <class Of>
 class Columns {
  public:
@@ -38,18 +38,18 @@ class Columns {
     columns_.emplace_back(std::move(column), std::move(cell_of));
     return *this;
   }
-  /// For people; with a name in CSV where `field` gives one.
+  /// Adds a column for people; also for CSV if `field` names it.
   Columns& words(const std::string& heading, CellOf cell_of, const std::string& field = "") {
     return add({.heading = heading, .field = field}, std::move(cell_of));
   }
   Columns& numbers(const std::string& heading, CellOf cell_of, const std::string& field = "") {
     return add({.heading = heading, .is_number = true, .field = field}, std::move(cell_of));
   }
-  /// In CSV alone.
+  /// Adds a column that only CSV has.
   Columns& field(const std::string& name, CellOf cell_of) {
     return add({.heading = name, .field = name, .shown = text::Shown::in_csv}, std::move(cell_of));
   }
-  /// In CSV alone: the dataset, method, classifier and ratio of what `row_of` gives of a row.
+  /// Adds dataset, method, classifier and ratio of `row_of(row)`; only CSV has them.
   template <class RowOf>
   Columns& name_fields(RowOf row_of) {
     return field("dataset", [=](const Of& of) { return std::invoke(row_of, of).dataset; })
@@ -57,8 +57,9 @@ class Columns {
         .field("classifier", [=](const Of& of) { return std::invoke(row_of, of).classifier; })
         .field("ratio", [=](const Of& of) { return std::invoke(row_of, of).ratio; });
   }
-  /// In CSV alone: the mean, and after `before` std, and ci95_low and ci95_high where there are to
-  /// be `intervals`. What a row does not have is empty.
+  /// Adds the mean and the standard deviation, and the ends of the interval if `intervals`. Only
+  /// CSV has them. `before` is the prefix of the names "std", "ci95_low" and "ci95_high". Missing
+  /// numbers are empty.
   Columns& summary_fields(const std::string& mean, const std::string& before,
                           const SummaryOf& summary_of, bool intervals = true) {
     const auto add_field = [&](const std::string& name, auto part) {
@@ -80,7 +81,7 @@ class Columns {
     return *this;
   }
 
-  /// The columns of a part of each row.
+  /// Adds the columns of a part of each row.
   template <class Part, class PartOf>
   Columns& with(const Columns<Part>& others, PartOf part_of) {
     for (const auto& other : others.columns_) {

@@ -15,9 +15,9 @@ namespace piae::report {
 
 namespace {
 
-/// The method that all others are compared with where none is asked for: this project's, or else
-/// the paper's; empty where neither is there. Of several of this project it is the one that is made
-/// for such data sets: those that `carry` faults to other conditions, or those that do not.
+/// Returns the method to compare with if the user requests none: a method of this project, else the
+/// paper's, else "". Among several of this project it prefers the one made for such datasets: one
+/// that carries faults to other conditions if `carry`, otherwise one that does not.
 std::string method_of_interest(const std::vector<std::string>& methods, bool carry) {
   std::vector<std::string> ours;
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
@@ -39,7 +39,7 @@ std::string choose_other_side(const std::vector<AccuracyRow>& rows,
   throw Error(Exit::usage, "--against " + asked + ": has no cell here; methods that have:" + known);
 }
 
-/// In the mean of the ratios, over what both have.
+/// Compares the means of the ratios that both have.
 std::optional<PairedRow> paired_means(const std::vector<AccuracyRow>& rows,
                                       const std::vector<AccuracyRow>& others) {
   const auto mean_of = [](const std::vector<AccuracyRow>& own) {
@@ -51,7 +51,7 @@ std::optional<PairedRow> paired_means(const std::vector<AccuracyRow>& rows,
   return mean && other ? paired_row(*mean, *other) : std::nullopt;
 }
 
-/// At each ratio that both have, and in the mean.
+/// Compares two methods at each ratio that both have, and in the mean.
 std::vector<PairedRow> paired_rows_of(const std::vector<AccuracyRow>& rows,
                                       const std::string& method, const std::string& against) {
   std::vector<PairedRow> pairs;

@@ -17,13 +17,13 @@ namespace piae::report {
 
 namespace {
 
-/// The names of both sides in tables and files.
+/// Names of both sides in tables and files.
 struct Names {
   std::string with;
   std::string without;
 };
 
-/// Names both sides by what differs between them. Empty names where nothing does.
+/// Names both sides by what differs between them. The names are empty if nothing differs.
 Names names_of(const Side& with, const Side& without) {
   Names names;
   const auto add = [&](const std::string& one, const std::string& other) {
@@ -37,15 +37,15 @@ Names names_of(const Side& with, const Side& without) {
   return names;
 }
 
-/// A line of both sides.
+/// One line, with the numbers of both sides.
 struct ContrastLine {
-  std::string name;  ///< of the method; empty where the line above has the same
+  std::string name;  ///< name of the method; empty if the line above has the same
   const PairedRow* row;
   const scoring::Summary* with;
   const scoring::Summary* without;
 };
 
-/// Both sides: a block for each method, and in it a row for each ratio.
+/// Returns a block for each method, with a row for each ratio and the means of both sides.
 text::Table sides_table(const Contrast& contrast, const Names& names) {
   using Line = ContrastLine;
   std::vector<Line> lines;
@@ -66,13 +66,13 @@ text::Table sides_table(const Contrast& contrast, const Names& names) {
   return columns.table(lines);
 }
 
-/// The layout of a folder RUN/DATASET. The folder may end with a slash.
+/// Returns the layout of a folder RUN/DATASET. The folder may end with a slash.
 run::Layout layout_of(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder.has_filename() ? folder : folder.parent_path();
   return {path.parent_path(), path.filename()};
 }
 
-/// One side of two: the cells that are asked for, and those others that both sides have.
+/// Reads one side: the requested cells, and other cells that both sides have.
 Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions asked,
                const std::vector<std::string>& leave_out) {
   asked.dataset = layout.folder().filename();

@@ -10,7 +10,7 @@
 
 namespace piae::report {
 
-/// One of two sides that are shown beside each other: a dataset of a run.
+/// A dataset of a run, as one of two sides that are compared.
 struct Side {
   std::filesystem::path run;
   std::string dataset;
@@ -25,25 +25,25 @@ struct Folders {
   std::filesystem::path without;
 };
 
-/// What a condition is worth: the accuracies with it minus those without it, by method and ratio.
+/// Effect of a condition: accuracies with it minus those without it, by method and ratio.
 struct Contrast {
   Side with;
   Side without;
   std::vector<PairedRow> rows = {};  ///< by method, then ratio; then the means of ratios
 };
 
-/// Both sides must have the same methods, ratios and seeds. Throws Error(usage) when they have also
-/// the same dataset and protocol and runs of the same name, so that nothing tells them apart.
+/// Compares two sides, which must have the same methods, ratios and seeds. Throws Error(usage) if
+/// dataset, protocol and run name are also the same, because the sides would then have the same
+/// name.
 Contrast contrast(Side with, Side without);
 
-/// Reads the cells that are asked for, which both sides must have, and all others that both have
-/// (run/held.hpp, which says what `leave_out` is). Throws as contrast(), resolve() and
-/// run::require_all() do.
+/// Reads the requested cells, which both sides must have, and all others that both have.
+/// run/held.hpp explains `leave_out`. Throws as contrast(), resolve() and run::require_all() do.
 Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
                        const std::vector<std::string>& leave_out);
 
-/// with,without,method,ratio,with_mean,with_std,without_mean,without_std and paired_columns(). The
-/// sides are named by what differs between them: dataset, protocol, or else the run.
+/// Returns CSV with,without,method,ratio,with_mean,with_std,without_mean,without_std and
+/// paired_columns(). The sides are named by what differs: dataset, protocol, or else the run.
 std::string contrast_csv(const Contrast& contrast);
 /// The same for people.
 Document contrast_document(const Contrast& contrast);

@@ -13,17 +13,17 @@ namespace piae::report {
 
 namespace {
 
-/// Decisions over some number of windows, by one classifier with the windows of one method at one
-/// ratio, over the seeds that have them.
+/// Decisions over a number of windows, by one classifier with the windows of one method at one
+/// ratio, over the seeds that have such decisions.
 struct DecisionRow {
   AccuracyRow row;
-  std::size_t windows = 0;         ///< in a decision
+  std::size_t windows = 0;         ///< per decision
   double decisions = 0;            ///< mean over the seeds
   scoring::Summary accuracy = {};  ///< percent
   scoring::Summary balanced = {};  ///< percent
 };
 
-/// Of the cells of a row, over this many windows; empty where no seed has such decisions.
+/// Returns the decisions of a row's cells over this many windows, or nothing if no seed has any.
 std::optional<DecisionRow> decisions_over(std::size_t windows, const AccuracyRow& row,
                                           const run::Results& results) {
   std::vector<double> accuracies;
@@ -77,16 +77,16 @@ std::string decisions_note(const run::Results& results, bool any_fewer) {
                     : "");
 }
 
-/// What a classifier says of how sure it is, over the seeds.
+/// Confidence of a classifier over the seeds.
 struct ConfidenceRow {
   std::string name;
   AccuracyRow row;
   scoring::Summary calibration_error = {};  ///< percent
   scoring::Summary answerable = {};         ///< percent of the test windows
-  bool tells = false;                       ///< whether it says so of any seed's windows
+  bool tells = false;                       ///< whether it reports its confidence in any seed
 };
 
-/// Of the cells of a row, of which `results` must have one.
+/// Summarises the confidence of a row's cells. Expects at least one cell in `results`.
 ConfidenceRow confidence_of(const ShownRow& shown, const run::Results& results) {
   std::vector<double> errors;
   std::vector<double> shares;
@@ -125,7 +125,7 @@ text::Table confidence_table(const std::vector<ConfidenceRow>& rows) {
   return columns.table(rows);
 }
 
-/// `silent` are the names of the rows in which nothing is said of how sure the classifier is.
+/// `silent` are the names of the rows whose classifier does not report its confidence.
 std::string confidence_note(const std::vector<std::string>& silent) {
   return fmt::format(
              "Calibration error: how far the score of the class that is named is from how often it "

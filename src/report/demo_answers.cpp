@@ -44,10 +44,11 @@ Error no_cells(const std::string& question) {
   return {Exit::input_missing, question + ": its cells are missing; `make demo` makes them"};
 }
 
-/// The cells of one question by the classifier that the question is about.
+/// Cells of one question, by the classifier that the question is about.
 struct Compared {
-  AccuracyRow alone;                   ///< known windows only
-  std::vector<AccuracyRow> methods;    ///< with the most windows that any generated, the best first
+  AccuracyRow alone;  ///< known windows only
+  std::vector<AccuracyRow>
+      methods;  ///< with the largest number of generated windows, the best first
   std::optional<AccuracyRow> nearest;  ///< known windows only, by the nearest neighbour
 };
 
@@ -67,7 +68,7 @@ Compared compared(const std::vector<run::Diagnosis>& cells, const std::string& q
   return found;
 }
 
-/// "shift (75 -> 98 %), not piae-dt (72 %)".
+/// Returns "shift (75 -> 98 %), not piae-dt (72 %)".
 std::string what_helps(const Compared& cells) {
   std::vector<std::string> helping;
   std::vector<std::string> others;
@@ -99,7 +100,7 @@ std::string question_at_the_other_speed(const run::Diagnosis& cell) {
                      listed(cell.known_at), listed(cell.tested_at));
 }
 
-/// "strike-twin (66 -> 99 % by wdcnn-spectra); shift reaches 80 %."
+/// Returns "strike-twin (66 -> 99 % by wdcnn-spectra); shift reaches 80 %."
 std::string answer_at_the_other_speed(const Compared& cells) {
   const AccuracyRow& best = cells.methods.front();
   if (!helps(best, cells.alone)) return what_helps(cells) + '.';
@@ -111,7 +112,7 @@ std::string answer_at_the_other_speed(const Compared& cells) {
                      percent(best), best.classifier, others.empty() ? "" : "; " + listed(others));
 }
 
-/// "Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct."
+/// Returns "Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct."
 std::string answer_without_a_fault(const std::vector<run::Diagnosis>& cells,
                                    const NamedRecording& recording) {
   const std::vector<AccuracyRow> rows = rows_of_cells(cells);

@@ -8,16 +8,16 @@
 
 namespace piae::report {
 
-/// What `classify` reported on one recording.
+/// Report of `classify` on one recording.
 struct NamedRecording {
   std::string file;   ///< "recording.txt"
   std::string named;  ///< the class, or "unknown"
   bool correct = false;
 };
 
-/// What `make demo` measured. Each list holds the cells of one data set.
+/// Measurements of `make demo`. Each list holds the cells of one dataset.
 struct DemoCells {
-  std::vector<run::Diagnosis> same_speed;   ///< faults known as they are tested
+  std::vector<run::Diagnosis> same_speed;   ///< faults known at the speed they are tested at
   std::vector<run::Diagnosis> other_speed;  ///< faults known at one speed, tested at another
   std::vector<run::Diagnosis> no_fault;     ///< no known fault window
   NamedRecording recording;
@@ -25,8 +25,8 @@ struct DemoCells {
 
 /// A method helps if it adds at least this much, in points, in every seed.
 inline constexpr double points_of_help = 5;
-/// A classifier that is at most this much below the best method, in points, needs no generated
-/// windows.
+/// Generated windows are unnecessary if a classifier without them is at most this much below the
+/// best method, in points.
 inline constexpr double points_of_no_need = 1;
 /// A rule that is correct this often, in percent, can diagnose.
 inline constexpr double percent_of_a_diagnosis = 80;

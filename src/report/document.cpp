@@ -9,11 +9,11 @@ namespace piae::report {
 
 namespace {
 
-/// No line of a document is longer, so that it can be read in a terminal and beside a source.
+/// Limit of a line, so that a document can be read in a terminal and next to a source file.
 constexpr std::size_t widest_line = 100;
 
-/// Breaks a paragraph into lines of at most so many bytes (a longer word has a line of its own),
-/// each ended by a line feed.
+/// Breaks a paragraph into lines of at most `widest_line` bytes, each ended by a line feed. A
+/// longer word gets its own line.
 std::string wrapped(const std::string& paragraph) {
   std::istringstream words(paragraph);
   std::string text;
@@ -28,7 +28,7 @@ std::string wrapped(const std::string& paragraph) {
   return text + line + '\n';
 }
 
-/// A label holds letters, digits and hyphens only: LaTeX does not take all other characters.
+/// Returns a label of letters, digits and hyphens, because LaTeX refuses some other characters.
 std::string label_of(const Document& document, const Section& section) {
   std::string label = document.key + "-" + section.key;
   for (char& c : label) {
@@ -37,7 +37,7 @@ std::string label_of(const Document& document, const Section& section) {
   return label;
 }
 
-/// The findings and the note, as one paragraph.
+/// Returns the findings and the note as one paragraph.
 std::string said_of(const Section& section) {
   std::string text;
   for (const std::string& finding : section.findings) text += finding + " ";
@@ -50,8 +50,7 @@ std::string latex_float(const Document& document, const Section& section) {
          wrapped("\\caption{" + text::latex_text(section.title + "." + note) + "}") +
          "\\label{tab:" + label_of(document, section) +
          "}\n"
-         // A table that is wider or higher than the text is made as large as that; the caption
-         // needs its place, too.
+         // Shrinks a table that is wider or higher than the text, and leaves room for the caption.
          "\\resizebox*{!}{\\ifdim\\totalheight>0.8\\textheight 0.8\\textheight\\else"
          "\\totalheight\\fi}{%\n"
          "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n" +

@@ -7,32 +7,31 @@
 
 namespace piae::report {
 
-/// A table with what must be said of it. All texts are plain, not Markdown or LaTeX.
+/// A table with its explanations. All texts are plain, not Markdown or LaTeX.
 struct Section {
   std::string key;    ///< short name, such as "accuracy-methods"
   std::string title;  ///< without a full stop
-  std::string note;   ///< one paragraph; empty where there is nothing to say
+  std::string note;   ///< one paragraph; may be empty
   text::Table table;
-  /// Sentences, each of which says what the table shows. They stand before the note in a document,
-  /// and above the table on a page.
+  /// Sentences on what the table shows. A document prints them before the note, a page above the
+  /// table.
   std::vector<std::string> findings = {};
 };
 
-/// Tables with what must be said of them. It is put together once, and written as Markdown and
-/// LaTeX.
+/// Tables with their explanations, put together once and written as Markdown and LaTeX.
 struct Document {
   std::string key;  ///< short name, such as that of the dataset
   std::string title;
-  std::vector<std::string> paragraphs = {};  ///< what holds for all tables
+  std::vector<std::string> paragraphs = {};  ///< valid for all tables
   std::vector<Section> sections = {};
 };
 
-/// No line is longer than 100 characters, but for titles and words that are. A table that would be
-/// wider is written as several (text/table.hpp).
+/// Returns Markdown with lines of at most 100 characters, except for long titles and words. A wider
+/// table is split into several (text/table.hpp).
 std::string markdown(const Document& document);
 
-/// LaTeX for \input: the paragraphs, and a float for each table, with the label
-/// tab:<document>-<section>. A comment at the beginning names the packages that are needed.
+/// Returns LaTeX for \input: the paragraphs and a float for each table, labelled
+/// tab:<document>-<section>. A comment at the beginning names the packages that it needs.
 std::string latex(const Document& document);
 
 }  // namespace piae::report

@@ -13,10 +13,10 @@ namespace piae::report {
 namespace {
 
 using SeedSet = std::set<std::int64_t>;
-/// What is said of methods, and the methods that it is said of, in order.
+/// Statements, each with the methods that it is about, in order.
 using Sayings = std::vector<std::pair<std::string, std::string>>;
 
-/// "seed 3", "seeds 0 to 9".
+/// Returns "seed 3" or "seeds 0 to 9".
 std::string seeds_label(const SeedSet& seeds) {
   return (seeds.size() == 1 ? "seed " : "seeds ") + seed_list({seeds.begin(), seeds.end()});
 }
@@ -30,7 +30,7 @@ void say(Sayings& sayings, const std::string& method, const std::string& what) {
   sayings.emplace_back(what, method);
 }
 
-/// "vae, smote: seeds 0 to 2; shift: 10:1".
+/// Returns "vae, smote: seeds 0 to 2; shift: 10:1".
 std::string joined(const Sayings& sayings) {
   std::string text;
   for (const auto& [said, methods] : sayings) {
@@ -39,7 +39,7 @@ std::string joined(const Sayings& sayings) {
   return text;
 }
 
-/// The ratios of a grid at which this method would have cells if nothing were missing.
+/// Returns the ratios at which this method would have cells if none were missing.
 std::vector<std::string> ratios_for(const run::Grid& grid, const std::string& method) {
   std::vector<std::string> ratios;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -71,8 +71,8 @@ SeedSet seeds_of_scores(const run::Results& results, const std::string& method) 
   return seeds;
 }
 
-/// What a method has, where that is not everything: "seeds 0 to 2", "10:1, 5:1 of seed 0, and 1:1
-/// of seeds 0 to 2".
+/// Returns the cells that a method has, such as "seeds 0 to 2" or "10:1, 5:1 of seed 0, and 1:1 of
+/// seeds 0 to 2"; "" if it has all.
 std::string diagnoses_of(const run::Grid& grid, const run::Results& results,
                          const std::string& method, const std::string& classifier) {
   const SeedSet all(grid.seeds.begin(), grid.seeds.end());
@@ -116,7 +116,7 @@ std::string fewer_cells(const run::Grid& grid, const run::Results& results) {
   return joined(sayings);
 }
 
-/// Methods that have scores of other seeds than diagnoses.
+/// Returns the methods whose scores and diagnoses have different seeds.
 std::string fewer_scores(const run::Grid& grid, const run::Results& results) {
   Sayings sayings;
   for (const std::string& method : grid.scored) {

@@ -18,12 +18,12 @@ namespace piae::report {
 
 namespace {
 
-/// What tables say of k or of c.
+/// Words and unit of k or c in tables.
 struct Parameter {
   const char* name;
   double signal::DynamicParameters::*value;
-  double unit;          ///< what tables divide the value by, in N/m or N s/m
-  const char* heading;  ///< with that unit
+  double unit;          ///< divisor of the values in tables, in N/m or N s/m
+  const char* heading;  ///< with the unit
 };
 constexpr std::array<Parameter, 2> parameters{{
     {"stiffness", &signal::DynamicParameters::stiffness_n_per_m, 1e6, "stiffness, MN/m"},
@@ -35,7 +35,7 @@ struct Values {
   std::vector<double> truth;
   std::vector<double> inferred;
 
-  /// Adds the windows of one class, or all windows where there is no label.
+  /// Adds the windows of one class, or all windows if `label` is empty.
   void add(const Identification& one, const Parameter& parameter, std::optional<Label> label) {
     for (std::size_t i = 0; i < one.windows.size(); ++i) {
       if (label && one.windows.labels[i] != *label) continue;
@@ -91,7 +91,7 @@ IdentifiabilityRow identifiability_row(const std::vector<Identification>& all,
           .correlation2 = scoring::summarise(correlation2)};
 }
 
-/// For people each method and parameter stands in its first line alone.
+/// For people, each method and parameter is named in its first line only.
 text::Table agreement_table(const std::string& dataset,
                             const std::vector<IdentifiabilityRow>& rows) {
   using Row = IdentifiabilityRow;
@@ -130,7 +130,7 @@ text::Table agreement_table(const std::string& dataset,
   return columns.table(rows);
 }
 
-/// The scatter of one parameter over the windows of all seeds together.
+/// Returns the scatter of one parameter over the windows of all seeds together.
 std::vector<scoring::ScatterRow> scatter_of(const std::vector<Identification>& all,
                                             const std::string& method, const Parameter& parameter) {
   constexpr std::size_t groups = 10;
@@ -158,7 +158,7 @@ Section scatter_section(const std::vector<Identification>& all, const Parameter&
           table};
 }
 
-/// "10 seeds (0 to 9)"; where methods differ, "piae-dt: 10 seeds (0 to 9), ae: 1 seed (3)".
+/// Returns "10 seeds (0 to 9)" or, if methods differ, "piae-dt: 10 seeds (0 to 9), ae: 1 seed (3)".
 std::string models_label(const std::vector<Identification>& all) {
   std::map<std::string, std::string> by_method;
   std::set<std::string> labels;

@@ -12,8 +12,8 @@
 
 namespace piae::report {
 
-/// The models whose inferred (k, c) are compared with the true ones: those of a run, on a dataset
-/// whose true ones are known.
+/// Models of a run whose inferred (k, c) are compared with the true ones, and a dataset with known
+/// (k, c).
 struct IdentifiabilityOptions {
   std::string dataset;
   std::vector<std::string> methods;
@@ -24,7 +24,7 @@ void bind(const cli::Options& command, IdentifiabilityOptions& options);
 /// Throws Error(usage) as run::resolve() does.
 run::Grid resolve(const IdentifiabilityOptions& options);
 
-/// What the model of one method and seed infers from windows that it has not seen.
+/// Parameters that the model of one method and seed infers from windows that it has not seen.
 struct Identification {
   std::string method;
   std::int64_t seed = 0;
@@ -32,7 +32,8 @@ struct Identification {
   std::vector<signal::DynamicParameters> inferred;  ///< [n], for each window
 };
 
-/// How well one parameter is inferred for one class, or for all windows together, over the seeds.
+/// Agreement of one inferred parameter with the truth, for one class or all windows, over the
+/// seeds.
 struct IdentifiabilityRow {
   std::string method;
   std::string parameter;   ///< "stiffness" or "damping"
@@ -42,19 +43,20 @@ struct IdentifiabilityRow {
   scoring::Summary correlation2;
 };
 
-/// By method, then parameter, then class, with "all" before the classes. Throws Error(bad_input)
-/// where the true parameters are not known or do not vary.
+/// Returns rows by method, then parameter, then class, with "all" before the classes. Throws
+/// Error(bad_input) if the true parameters are unknown or do not vary.
 std::vector<IdentifiabilityRow> identifiability_rows(const std::vector<Identification>& all);
 
-/// dataset,method,parameter,class,seeds and mean and standard deviation of r2, bias, correlation2.
+/// Returns dataset,method,parameter,class,seeds and mean and standard deviation of r2, bias,
+/// correlation2.
 std::string identifiability_csv(const std::string& dataset,
                                 const std::vector<IdentifiabilityRow>& rows);
 
-/// The windows of all seeds together, in ten groups by the true value: dataset,method,parameter,
+/// Returns the windows of all seeds in ten groups by the true value: dataset,method,parameter,
 /// truth_low,truth_high,windows,inferred_p10,inferred_p50,inferred_p90, in N/m and N s/m.
 std::string scatter_csv(const std::string& dataset, const std::vector<Identification>& all);
 
-/// Both for people.
+/// Returns both for people.
 Document identifiability_document(const std::string& dataset,
                                   const std::vector<IdentifiabilityRow>& rows,
                                   const std::vector<Identification>& all);

@@ -20,8 +20,8 @@ namespace {
 constexpr NumberStyle difference_style{.decimals = 2, .sign = true};
 
 bool is_tested(const PairedRow& row) { return row.paired.p.has_value(); }
-/// Whether a row is one of the tests that are corrected together: a ceiling is no method, so no
-/// question is asked of it.
+/// True if a row is one of the tests that are corrected together. A ceiling is not a method and
+/// therefore not among them.
 bool is_in_a_family(const PairedRow& row) {
   return is_tested(row) && !augment::is_ceiling(row.method);
 }
@@ -43,7 +43,7 @@ std::string ratio_label_of(const AccuracyRow& row) {
                                      : ratio_label(row.ratio, row.true_ratio);
 }
 
-/// How many tests a row is corrected with, itself included.
+/// Returns the number of tests that a row is corrected with, itself included.
 std::size_t family_of(const PairedRow& row, const std::vector<PairedRow>& rows) {
   if (!is_in_a_family(row)) return 1;
   return static_cast<std::size_t>(std::ranges::count_if(rows, [&](const PairedRow& each) {
@@ -51,12 +51,12 @@ std::size_t family_of(const PairedRow& row, const std::vector<PairedRow>& rows) 
   }));
 }
 
-/// The smallest p that these many seeds can give, after Holm's correction for so many tests.
+/// Returns the smallest p that `seeds` seeds can give after Holm's correction for `tests` tests.
 double smallest_corrected_p(std::size_t seeds, std::size_t tests) {
   return std::min(1.0, scoring::smallest_p(seeds) * static_cast<double>(tests));
 }
 
-/// "2 seeds cannot give a p below 0.5, which Holm's correction for 2 makes 1".
+/// Returns "2 seeds cannot give a p below 0.5, which Holm's correction for 2 makes 1".
 std::string limit_of(std::size_t seeds, std::size_t tests) {
   const double smallest = scoring::smallest_p(seeds);
   std::string text = fmt::format("{} seeds cannot give a p below {:.3g}", seeds, smallest);
@@ -67,8 +67,8 @@ std::string limit_of(std::size_t seeds, std::size_t tests) {
   return text;
 }
 
-/// A warning where even the smallest p that so few seeds can give is not below the usual level. It
-/// tells the limit for each number of seeds.
+/// Returns a warning if even the smallest p of so few seeds is not significant; "" otherwise. The
+/// warning names the limit for each number of seeds.
 std::string warning_of_few_seeds(const std::vector<PairedRow>& rows) {
   std::map<std::size_t, std::size_t> largest_family;  // by the number of seeds
   for (const PairedRow& row : rows) {

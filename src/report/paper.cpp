@@ -59,7 +59,7 @@ void add(Percents& percents, const text::CsvLine& line, const std::string& metho
   }
 }
 
-/// Reads a table with a method in each row and a ratio in each column from the third on.
+/// Reads a table with a method in each row and, from the third column on, a ratio in each column.
 void read_by_ratio(const fs::path& path, const std::string& second_column,
                    const std::function<std::string(const text::CsvLine&)>& method_of,
                    Percents& percents) {
@@ -111,7 +111,7 @@ std::optional<Counterpart> counterpart_of(const std::string& dataset) {
   return std::nullopt;
 }
 
-/// Whether it is the paper's method or an ablation of it.
+/// True for the paper's method and its ablations.
 bool is_model(const std::string& method) {
   const augment::CatalogueEntry* const entry = augment::find_entry(method);
   return entry != nullptr && (entry->model > 0 || augment::is_ablation(*entry));

@@ -18,33 +18,33 @@ struct PublishedPercent {
   std::string place;  ///< file and line
 };
 
-/// Accuracies that the paper publishes, in percent.
+/// Published accuracies of the paper, in percent.
 class Published {
  public:
-  /// Without any accuracies.
+  /// Holds no accuracies.
   Published() = default;
   /// Reads table6-7-baseline.csv, table8-9-methods.csv and table10-11-ablation.csv of a folder.
-  /// Throws Error(input_missing) for a file that cannot be read, and Error(bad_input) with file and
+  /// Throws Error(input_missing) if a file cannot be read. Throws Error(bad_input) with file and
   /// line for an unknown header, model or ratio, a row of another length than the header, a value
-  /// that is no percentage, and one that contradicts another table.
+  /// that is not a percentage, and a value that contradicts another table.
   explicit Published(const std::filesystem::path& folder);
 
-  /// Empty where the paper has no such dataset, method or ratio.
+  /// Returns nothing if the paper does not have the dataset, method or ratio.
   [[nodiscard]] std::optional<double> percent(const std::string& dataset, const std::string& method,
                                               const std::string& ratio) const;
-  /// The runs of Tables 6 and 7, without augmentation. Empty for any other dataset.
+  /// Returns the runs of Tables 6 and 7, without augmentation; none for other datasets.
   [[nodiscard]] std::vector<double> baseline_runs(const std::string& dataset) const;
 
  private:
-  /// By data set, method and ratio.
+  /// By dataset, method and ratio.
   std::map<std::tuple<std::string, std::string, std::string>, PublishedPercent> percents_;
   std::map<std::string, std::vector<double>> baseline_runs_;
 };
 
-/// One of the two datasets of the paper, and the numbers of the tables and figures that show it.
+/// A dataset of the paper, with the numbers of its tables and figures.
 struct PaperDataset {
-  const char* name;   ///< as ours is called: "hfhp"
-  const char* title;  ///< as the paper writes it: "HFHP"
+  const char* name;   ///< name of the same dataset here: "hfhp"
+  const char* title;  ///< name in the paper: "HFHP"
   int baseline_table;
   int methods_table;
   int ablation_table;
@@ -52,46 +52,47 @@ struct PaperDataset {
   int ablation_quality_figure;
 };
 
-/// The dataset of the paper that one of ours is shown beside.
+/// Dataset of the paper that is shown next to one of ours.
 struct Counterpart {
   PaperDataset paper;
-  /// Whether both are the same recordings. Otherwise the published figures are of other recordings;
-  /// they are for orientation only, and must be shown as such.
+  /// True if both are the same recordings. Otherwise the published numbers are for orientation only
+  /// and must be shown as such.
   bool own;
-  const char* relation;  ///< where not its own, what ours is: "stands in for HFHP"
-  const char* caution;   ///< where not its own, how to read the figures, in sentences
+  const char* relation;  ///< what our dataset is, if not the same: "stands in for HFHP"
+  const char* caution;   ///< how to read the numbers, if not the same; sentences
 };
 
-/// What a table says of its counterpart in the paper.
+/// Words that a table adds about its counterpart in the paper.
 struct Place {
-  std::string after_title = {};  ///< " (the paper's Table 8)"; short, since a heading is one line
+  std::string after_title = {};  ///< " (the paper's Table 8)"; short, because a heading is one line
   std::string before_note = {};  ///< a sentence
 
-  /// The section, with this said of it.
+  /// Returns the section with these words added.
   [[nodiscard]] Section of(Section section) const;
 };
 
-/// What tables of a dataset say of the paper, which has none by another classifier than its own.
+/// References of a dataset's tables to the paper. Empty for classifiers that the paper does not
+/// have.
 class PaperReference {
  public:
   explicit PaperReference(std::string dataset,
                           const std::string& classifier = scoring::paper_classifier);
 
   [[nodiscard]] const std::string& dataset() const { return dataset_; }
-  /// Empty for a dataset that has no counterpart in the paper.
+  /// Returns nothing for a dataset without a counterpart in the paper.
   [[nodiscard]] const std::optional<Counterpart>& beside() const { return counterpart_; }
 
-  /// Of a table that the paper does not have: "hit-sm stands in for HFHP." Nothing for a dataset of
-  /// the paper, or without a counterpart.
+  /// Returns the words for a table that the paper does not have: "hit-sm stands in for HFHP." Empty
+  /// for a dataset of the paper or without a counterpart.
   [[nodiscard]] Place none() const;
-  /// Of a table that the paper has, too. The number is given as a member of PaperDataset. For a
-  /// dataset of the paper it stands after the title; for one with another counterpart before the
-  /// note: "In the place of the paper's Table 9; hit-sm stands in for HFHP."
+  /// Returns the words for a table that the paper also has; `number` is a member of PaperDataset. A
+  /// dataset of the paper gets them after the title. Another gets them before the note: "In the
+  /// place of the paper's Table 9; hit-sm stands in for HFHP."
   [[nodiscard]] Place table(int PaperDataset::*number) const;
   [[nodiscard]] Place figure(int PaperDataset::*number) const;
   /// The same for a figure that shows both datasets.
   [[nodiscard]] Place figure(int number) const;
-  /// Stands before published numbers: "paper", "paper, HFHP".
+  /// Returns the heading of published numbers: "paper" or "paper, HFHP".
   [[nodiscard]] std::string label() const;
 
  private:
@@ -101,7 +102,8 @@ class PaperReference {
   std::optional<Counterpart> counterpart_;
 };
 
-/// The paper's five models (Section 4.5.4, Tables 10 and 11), in the order of their numbers.
+/// Returns the paper's five models (Section 4.5.4, Tables 10 and 11), in the order of their
+/// numbers.
 std::vector<augment::CatalogueEntry> all_models();
 
 /// Methods that are shown in the same tables.
@@ -109,17 +111,16 @@ struct MethodGroup {
   std::string key;   ///< short name: "methods"
   std::string name;  ///< "the methods"
   std::vector<std::string> methods;
-  bool are_models;           ///< whether the tables name them by the numbers of the models,
-                             ///< where they have one
-  int PaperDataset::*table;  ///< the paper's table of their accuracies
-  int PaperDataset::*quality_figure;  ///< the paper's figure of their MMD and RMSE
-  int gain_figure;                    ///< the paper's figure of their gains on both datasets
+  bool are_models;           ///< true if the tables name methods by the number of their model
+  int PaperDataset::*table;  ///< the paper's table of the methods' accuracies
+  int PaperDataset::*quality_figure;  ///< the paper's figure of the methods' MMD and RMSE
+  int gain_figure;                    ///< the paper's figure of the methods' gains on both datasets
 };
 
-/// The groups that these methods form in the paper's tables, none of them empty, methods in the
-/// order given. The first are those that Tables 8 and 9 compare, which are all but the ablations
-/// (Models 2 to 5 and those of the outlook). The second are all models, as in Tables 10 and 11, and
-/// the ablations of the outlook, where any ablation is given.
+/// Returns the groups of these methods in the paper's tables, in the given order, without empty
+/// groups. The first group is compared in Tables 8 and 9: all but the ablations (Models 2 to 5 and
+/// the ablations of the outlook). The second group is all models, as in Tables 10 and 11, and the
+/// ablations of the outlook; it exists only if `methods` has an ablation.
 std::vector<MethodGroup> method_groups(const std::vector<std::string>& methods);
 
 }  // namespace piae::report

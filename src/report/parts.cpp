@@ -35,7 +35,7 @@ std::string setting_label(const SweepPoint& point) {
   return point.factor + "=" + point.value + (point.centre ? " (as in the grid)" : "");
 }
 
-/// A row for each setting. What is not of `most` seeds is marked.
+/// Returns a row for each setting. Marks settings with fewer than `most` seeds.
 text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
   const bool kinds = std::ranges::any_of(rows, tells_kinds);
   std::vector<std::string> header{"setting", "accuracy", "95 % interval"};
@@ -58,7 +58,7 @@ text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
   return table;
 }
 
-/// The rows of each ratio, ratios as in Table 5.
+/// Returns the rows of each ratio, in the order of Table 5.
 std::vector<std::vector<PartRow>> by_ratio(const std::vector<PartRow>& rows) {
   std::vector<std::vector<PartRow>> blocks;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {

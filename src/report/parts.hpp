@@ -10,27 +10,28 @@
 
 namespace piae::report {
 
-/// What a part of a method is worth: the method with one setting moved, at one ratio, against the
-/// method as it is.
+/// Effect of a part of a method: the method with one setting changed, at one ratio, compared with
+/// the unchanged method.
 struct PartRow {
   SweepRow moved;
-  /// Minus the method as it is, in points; empty for a setting that it has anyway, and without a
-  /// seed in common.
+  /// Difference from the unchanged method, in points. Empty for a setting that the method already
+  /// has, and if no seed is in common.
   std::optional<PairedRow> difference;
 };
 
-/// The rows of a sweep (sweep_rows()), each beside that of the same ratio in which nothing is
-/// moved.
+/// Returns the rows of a sweep (sweep_rows()), each with its difference from the unchanged method
+/// at the same ratio.
 std::vector<PartRow> part_rows(const std::vector<SweepRow>& rows);
 
-/// sweep@METHOD.csv: dataset,method,classifier,factor,value,centre,ratio,seeds,mean,std,ci95_low,
+/// Returns sweep@METHOD.csv:
+/// dataset,method,classifier,factor,value,centre,ratio,seeds,mean,std,ci95_low,
 /// ci95_high,pairs,difference,difference_std,difference_ci95_low,difference_ci95_high in percent
-/// and points; `seeds` and `pairs` are how many there are. Of the method as it is, factor and value
-/// are empty, and so is the difference; `centre` is 1 for a setting that it has anyway. Where kinds
-/// of defects are told apart, the columns kind_mean,kind_std,kind_ci95_low,kind_ci95_high follow.
+/// and points. `seeds` and `pairs` are numbers of seeds. Factor, value and difference are empty for
+/// the unchanged method; `centre` is 1 for a setting that it already has. Datasets with fault types
+/// add kind_mean,kind_std,kind_ci95_low,kind_ci95_high.
 std::string parts_csv(const Sweep& sweep, const std::vector<PartRow>& rows);
 
-/// The same for people: a table for each ratio. `rows` are at least one.
+/// Returns the same for people: a table for each ratio. Expects at least one row.
 Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
                         const run::Results& results);
 

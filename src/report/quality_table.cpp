@@ -18,7 +18,7 @@ using scoring::Metric;
 using scoring::QualityRecord;
 using scoring::Summary;
 
-/// The scores of one method, by seed.
+/// Scores of one method, by seed.
 using Seeds = std::vector<const QualityRecord*>;
 
 Seeds seeds_of(const std::string& method, const run::Results& results) {
@@ -53,8 +53,8 @@ std::string line_of(const Seeds& seeds, std::size_t i, const Metric& metric) {
                          summary.deviation ? fmt::format("{:.6g}", *summary.deviation) : ""});
 }
 
-/// How many decimals give the smallest of these numbers three significant digits, but at most
-/// `most`.
+/// Returns the number of decimals that gives the smallest of these numbers three significant
+/// digits, but at most `most`.
 int decimals_for(const std::vector<std::vector<Summary>>& rows, int most) {
   int decimals = 1;
   for (const auto& row : rows) {

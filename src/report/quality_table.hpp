@@ -8,12 +8,12 @@
 
 namespace piae::report {
 
-/// quality.csv: dataset,method,class,metric,seeds,mean,std over the seeds. `results` must have all
-/// cells of the grid. Metrics are those of scoring/quality.hpp; the standard deviation of a single
-/// seed is empty.
+/// Returns quality.csv: dataset,method,class,metric,seeds,mean,std over the seeds. `results` must
+/// have all cells of the grid. scoring/quality.hpp defines the metrics. The standard deviation of a
+/// single seed is empty.
 std::string quality_csv(const run::Grid& grid, const run::Results& results);
 
-/// What the paper draws in Figs 13 and 14 (methods) and 16 and 17 (ablations): a table for each
+/// Returns the numbers of Figs 13 and 14 (methods) and 16 and 17 (ablations): a table for each
 /// metric, with a class in each row, a method in each column, and the mean over the classes in the
 /// last row.
 std::vector<Section> quality_sections(const run::Grid& grid, const run::Results& results);

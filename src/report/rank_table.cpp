@@ -17,7 +17,7 @@ namespace piae::report {
 
 namespace {
 
-/// A ratio and a seed, at which methods can be ranked.
+/// A ratio and a seed at which methods can be ranked.
 struct RankedCell {
   RatioColumn ratio;
   std::int64_t seed;
@@ -38,8 +38,8 @@ std::optional<double> value_at(const std::vector<AccuracyRow>& rows, const std::
   return row == nullptr ? std::nullopt : row->at(cell.seed);
 }
 
-/// Whether these are so few seeds that Friedman's p is not small even where all rank all methods
-/// alike.
+/// True if the seeds are too few for a small p of Friedman's test, even if every seed ranks the
+/// methods in the same order.
 bool cannot_be_small(const scoring::AverageRanks& ranks) {
   const auto methods = static_cast<double>(ranks.average.size());
   return std::pow(std::tgamma(methods + 1), 1 - static_cast<double>(ranks.blocks)) >
@@ -52,7 +52,7 @@ std::string test_label(const scoring::AverageRanks& ranks) {
                      cannot_be_small(ranks) ? std::string(" ") + mark_of_large_p : "");
 }
 
-/// What the tests say, and what they cannot say of so few seeds.
+/// Returns what the tests mean, and what so few seeds cannot show.
 std::string tests_note(const RankTable& table) {
   double critical = 0;
   bool few = false;
@@ -95,7 +95,7 @@ std::string note_of(const RankTable& table) {
          (std::ranges::any_of(table.ratios, is_tested) ? tests_note(table) : "");
 }
 
-/// The ranks at each ratio of the block, over those of its seeds that it has there.
+/// Returns the ranks at each ratio of the block, over the block's seeds at that ratio.
 std::vector<RatioRanks> ranks_of(const std::vector<AccuracyRow>& rows,
                                  const std::vector<std::string>& methods,
                                  const std::vector<RankedCell>& cells) {

@@ -9,20 +9,20 @@
 
 namespace piae::report {
 
-/// Rows and columns of a table with gaps that have no gap among them.
+/// Rows and columns of a table that have no missing cell in common.
 struct Block {
   std::vector<std::size_t> rows = {};
   std::vector<std::size_t> columns = {};
 };
 
-/// The block with the most cells among those that are tried: of each row all columns that it has,
-/// with every row that has them, too. In a table without gaps that is the whole table; a row with
-/// few columns is left out before it makes the others lose theirs. `has` lists for each row the
-/// columns that it has, ascending. Empty where no block has so many rows and columns.
+/// Returns the largest block without missing cells among those tried, or an empty block if none has
+/// enough rows and columns. `has` lists for each row its columns, ascending. Each row's columns are
+/// tried, with every row that has them all. A complete table gives all of it, and a row with few
+/// columns is dropped before it makes the others lose theirs.
 Block largest_block(const std::vector<std::vector<std::size_t>>& has, std::size_t least_rows,
                     std::size_t least_columns);
 
-/// For each of so many rows the columns that it has, for largest_block().
+/// Returns for each row the columns for which `has(row, column)` is true, for largest_block().
 template <class Has>
 std::vector<std::vector<std::size_t>> columns_of_rows(std::size_t rows, std::size_t columns,
                                                       const Has& has) {
@@ -35,22 +35,22 @@ std::vector<std::vector<std::size_t>> columns_of_rows(std::size_t rows, std::siz
   return all;
 }
 
-/// Stands in the place of a ratio's name for the mean over the ratios of a method.
+/// Name of a ratio's mean row: the mean over the ratios of a method.
 inline const std::string mean_of_ratios = "mean";
 
-/// The mean over the ratios of one method, seed by seed. It is of the ratios and seeds that have no
-/// gap among them (largest_block()): of all, where the run has all. Empty where these are
-/// not at least two ratios. `rows` are of one method, one for each ratio.
+/// Returns the mean over the ratios of one method, seed by seed. Uses the ratios and seeds without
+/// missing cells (largest_block()). Empty if fewer than two ratios remain. `rows` has one row for
+/// each ratio.
 std::optional<AccuracyRow> mean_row(const std::vector<AccuracyRow>& rows);
 
-/// A mean_row for each method that has one.
+/// Returns a mean_row for each method that has one.
 std::vector<AccuracyRow> mean_rows(const std::vector<AccuracyRow>& rows);
 
-/// The rows, followed by their mean_rows.
+/// Returns the rows, followed by their mean_rows.
 std::vector<AccuracyRow> with_means(std::vector<AccuracyRow> rows);
 
-/// The rows of one method, with those values alone that `others`, of another method, have at the
-/// same ratio and seed. `none`, which has one accuracy, has it at every ratio.
+/// Returns the rows of one method, reduced to the ratios and seeds that `others`, the rows of
+/// another method, also have. The one accuracy of `none` counts at every ratio.
 std::vector<AccuracyRow> cells_also_in(const std::vector<AccuracyRow>& rows,
                                        const std::vector<AccuracyRow>& others);
 

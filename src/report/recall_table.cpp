@@ -12,15 +12,15 @@ namespace piae::report {
 
 namespace {
 
-/// What the paper's classifier, trained with a method's windows, said of the test windows, summed
-/// over seeds.
+/// Confusion of the paper's classifier, trained with a method's windows, summed over seeds.
 struct MethodConfusion {
   std::string method;
   std::size_t seeds = 0;
   scoring::Confusion confusion = {};
 };
 
-/// Of the ratios at which the most methods have a row, the one with the most generated windows.
+/// Returns the ratio at which the most methods have a row; if several, the one with the most
+/// generated windows.
 std::string ratio_to_show(const std::vector<AccuracyRow>& rows) {
   std::map<std::int64_t, std::pair<std::size_t, std::string>> methods_by_generated;
   for (const AccuracyRow& row : rows) {
@@ -38,7 +38,7 @@ std::string ratio_to_show(const std::vector<AccuracyRow>& rows) {
   return shown;
 }
 
-/// Of the paper's classifier at this ratio, and without generated windows.
+/// Returns the confusions of the paper's classifier at this ratio and without generated windows.
 std::vector<MethodConfusion> confusions_of(const std::vector<run::Diagnosis>& cells,
                                            const std::string& ratio) {
   std::vector<MethodConfusion> confusions;

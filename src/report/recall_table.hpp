@@ -7,10 +7,10 @@
 
 namespace piae::report {
 
-/// For a page: which share of the windows of each class is recognised by the paper's classifier
-/// with the windows of each method, summed over seeds, with missed faults and false alarms. Methods
-/// are at that of the ratios with the most of them which has the most generated windows. No section
-/// where there is no such cell. `rows` are accuracy_rows() of these results.
+/// Returns for a page the share of each class's windows that the paper's classifier recognises with
+/// the windows of each method, summed over seeds, with missed faults and false alarms. The ratio is
+/// the one with the most methods; if several, the one with the most generated windows. Returns no
+/// section if the paper's classifier has no cell. `rows` are accuracy_rows() of `results`.
 std::vector<Section> recall_sections(const std::vector<AccuracyRow>& rows,
                                      const run::Results& results);
 

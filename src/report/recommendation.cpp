@@ -15,7 +15,7 @@ namespace {
 
 bool is_without_windows(const AccuracyRow& row) { return row.method == augment::no_method; }
 
-/// All that can be recommended at a ratio.
+/// Returns all rows that can be recommended at a ratio.
 std::vector<AccuracyRow> rows_at(const std::vector<AccuracyRow>& rows, const std::string& ratio) {
   std::vector<AccuracyRow> own;
   std::ranges::copy_if(rows, std::back_inserter(own), [&](const AccuracyRow& row) {
@@ -33,7 +33,8 @@ AccuracyRow at_seeds(AccuracyRow row, const std::vector<std::int64_t>& seeds) {
   return row;
 }
 
-/// The rows of the largest block without a gap, at its seeds. The others are named in `left_out`.
+/// Returns the rows of the largest block without missing cells, at its seeds. Adds the names of the
+/// other rows to `left_out`.
 std::vector<AccuracyRow> without_gaps(const std::vector<AccuracyRow>& rows,
                                       std::vector<std::string>& left_out) {
   const std::vector<std::int64_t> seeds = seeds_of_any(rows);
@@ -52,7 +53,7 @@ std::vector<AccuracyRow> without_gaps(const std::vector<AccuracyRow>& rows,
   return kept;
 }
 
-/// The first of those with the highest mean, for each effort that any has.
+/// Returns the row with the highest mean for each effort that occurs; of equal rows the first.
 std::vector<Candidate> most_accurate_by_effort(const std::vector<AccuracyRow>& rows) {
   std::vector<Candidate> best;
   for (const AccuracyRow& row : rows) {
@@ -77,7 +78,7 @@ scoring::Confusion confusion_of(const AccuracyRow& row, const run::Results& resu
   return sum;
 }
 
-/// What takes less than the best is one family of tests, at whatever ratio it stands.
+/// Tests everything that takes less than the best as one family, whatever the ratio.
 void compare_with_best(Recommendation& into) {
   std::vector<PairedRow> rows;
   for (const Candidate& each : into.by_effort) {

@@ -10,63 +10,65 @@
 
 namespace piae::report {
 
-/// What must be made before a window can be diagnosed, the least first. Between two methods that
-/// are as good, the one that takes less is recommended.
+/// Work before a window can be diagnosed, the least first. Of two methods that are equally good,
+/// the one with less effort is recommended.
 enum class Effort {
   nothing,                  ///< known, or healthy, windows are enough
-  windows,                  ///< windows are generated; nothing is trained
-  classifier,               ///< the classifier is trained
+  windows,                  ///< known or healthy windows are enough
+  classifier,               ///< windows are generated; nothing is trained
   windows_and_classifier,   ///< windows are generated, and the classifier is trained
-  generator,                ///< the generator is trained, the classifier is not
-  generator_and_classifier  ///< both are trained
+  generator,                ///< windows are generated, and the classifier is trained
+  generator_and_classifier  ///< the generator is trained, the classifier is not
 };
 Effort effort_of(const std::string& method, const std::string& classifier);
 
-/// A method with a classifier, at the seeds that all have which it is compared with.
+/// A method with a classifier, at the seeds that all compared candidates have.
 struct Candidate {
   AccuracyRow row;
   Effort effort = Effort::nothing;
-  /// Minus the best; empty for the best. Only what takes less is tested, and has p_holm: whether
-  /// what takes as much or more is worse, nobody asks.
+  /// Difference from the best; empty for the best. Only candidates that take less are tested and
+  /// have p_holm: whether a candidate with as much effort or more is worse does not matter.
   std::optional<PairedRow> behind = {};
-  scoring::Confusion confusion = {};  ///< of all these seeds
+  scoring::Confusion confusion = {};  ///< summed over these seeds
 };
 
-/// Which method to take at one number of generated windows.
+/// Recommended method at one number of generated windows.
 struct Recommendation {
   std::string dataset;
-  std::string ratio;                       ///< the name of that of the generated windows
+  std::string ratio;                       ///< name of the ratio of the generated windows
   std::string ratio_label;                 ///< for people
-  bool several_classifiers = false;        ///< whether names need one
+  bool several_classifiers = false;        ///< whether names need a classifier
   std::size_t compared = 0;                ///< pairs of a method and a classifier
   std::vector<std::string> left_out = {};  ///< pairs that lack seeds which the others have
   std::vector<Candidate> by_effort = {};   ///< the most accurate of each effort, the least first
   std::size_t best = 0;                    ///< the most accurate of all, an index into by_effort
-  std::size_t taken = 0;                   ///< the one that is recommended
-  bool can_tell = true;                    ///< whether so many seeds can show a difference at all
+  std::size_t taken = 0;                   ///< index of the recommended candidate
+  bool can_tell = true;                    ///< whether so many seeds can show a difference
   std::vector<signal::ClassInfo> classes = {};
 
   [[nodiscard]] const Candidate& most_accurate() const { return by_effort[best]; }
   [[nodiscard]] const Candidate& recommended() const { return by_effort[taken]; }
-  /// How many seeds could tell the best from those that take less; 0 where there are none.
+  /// Returns how many seeds could distinguish the best from candidates that take less; 0 if none
+  /// takes less.
   [[nodiscard]] std::size_t seeds_to_tell() const;
 };
 
-/// At each ratio that has generated windows, the most windows last, or at 100to1 where nothing is
-/// generated. `none` is a candidate at each of them, a ceiling at none.
+/// Returns a recommendation at each ratio with generated windows, the most windows last; at 100to1
+/// if nothing is generated. `none` is a candidate at each ratio; a ceiling never is.
 ///
-/// The best has the highest mean over the seeds; of equals, it is the one that takes least. Of each
-/// lesser effort the most accurate is compared with it, by Wilcoxon's signed-rank test over the
-/// seeds, with Holm's correction for these few comparisons. The first that is not significantly
-/// worse is recommended. Where the seeds are too few to show any difference, that is the best.
+/// The best has the highest mean over the seeds; of equals, the one that takes least. The most
+/// accurate candidate of each lesser effort is compared with the best by Wilcoxon's signed-rank
+/// test over the seeds, with Holm's correction over these comparisons. The first candidate that is
+/// not significantly worse is recommended. If the seeds are too few to show any difference, the
+/// best is recommended.
 ///
-/// `rows` are accuracy_rows() of these results, of any classifiers. Where some cells are missing,
-/// the seeds and pairs are those of the largest block without a gap.
+/// `rows` are accuracy_rows() of `results`, of any classifiers. If cells are missing, uses the
+/// seeds and pairs of the largest block without missing cells.
 std::vector<Recommendation> recommendations(const std::vector<AccuracyRow>& rows,
                                             const run::Results& results);
 
-/// The one of them that is said first: of the most generated windows, as far as it compares at
-/// least half as many pairs as any other. Null where there is none.
+/// Returns the recommendation to print first: the one with the most generated windows that compares
+/// at least half as many pairs as any other. Null if there is none.
 const Recommendation* main_recommendation(const std::vector<Recommendation>& all);
 
 }  // namespace piae::report

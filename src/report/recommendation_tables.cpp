@@ -18,7 +18,7 @@ namespace {
 
 constexpr NumberStyle in_points{.decimals = 1, .sign = true};
 
-/// How to read the table by effort.
+/// Explains the table by effort.
 constexpr const char* about_efforts =
     "Each line is the most accurate of those that take the same to be made or trained; a ceiling "
     "is not among them. Behind: points minus the best; p, of what takes less than the best: "
@@ -27,7 +27,7 @@ constexpr const char* about_efforts =
     "best, where so few seeds cannot tell. Chosen and measured on the same test windows: expect a "
     "little less elsewhere. What each step took here is in run.html of the run.";
 
-/// What an effort is called in tables, and what it costs, by effort.
+/// Name of an effort in tables and its cost, by effort.
 struct EffortWords {
   const char* label;
   const char* costs;
@@ -50,7 +50,7 @@ std::string counted_seeds(const Candidate& candidate) {
   return counted(candidate.row.seeds.size(), "seed");
 }
 
-/// "95 % interval 94.0 to 96.4, "; empty where there is none.
+/// Returns "95 % interval 94.0 to 96.4, "; "" without an interval.
 std::string interval_words(const scoring::Summary& summary, NumberStyle style) {
   if (!summary.interval) return "";
   return fmt::format("95 % interval {} to {}, ", number_label(summary.interval->low, style),
@@ -69,7 +69,7 @@ std::string what_to_take(const Recommendation& of) {
                      interval_words(row.summary, percent_style), counted_seeds(taken), windows);
 }
 
-/// "none by nearest (-33.4 points, p 0.01)", of all of these that take less than the best.
+/// Returns "none by nearest (-33.4 points, p 0.01)" for each candidate.
 std::string listed_behind(const Recommendation& of, std::span<const Candidate> candidates,
                           bool with_p) {
   std::vector<std::string> words;
@@ -81,7 +81,7 @@ std::string listed_behind(const Recommendation& of, std::span<const Candidate> c
   return listed(words);
 }
 
-/// The best is taken.
+/// Explains why the best is recommended.
 std::string why_the_best(const Recommendation& of) {
   if (of.compared == 1) return "Nothing else was compared.";
   const std::string most =
@@ -99,7 +99,7 @@ std::string why_the_best(const Recommendation& of) {
          ".";
 }
 
-/// Something is taken that takes less than the best.
+/// Explains why something that takes less than the best is recommended.
 std::string why_not_the_best(const Recommendation& of) {
   const PairedRow& behind = *of.recommended().behind;
   const std::span still_less = std::span(of.by_effort).first(of.taken);
@@ -115,7 +115,8 @@ std::string why_not_the_best(const Recommendation& of) {
                                    listed_behind(of, still_less, true) + ".");
 }
 
-/// The class of which the least is recognised; empty where all are recognised, or none is tested.
+/// Returns a sentence on the class with the lowest recall; "" if all windows are recognised or none
+/// was tested.
 std::string least_recognised(const Recommendation& of) {
   const scoring::Confusion& confusion = of.recommended().confusion;
   std::string least;
@@ -147,7 +148,7 @@ std::string what_it_gets_wrong(const Recommendation& of) {
   return parts.empty() ? "" : "It takes " + listed(parts) + "." + least_recognised(of);
 }
 
-/// A line of the table by effort, or by ratio.
+/// A line of the table by effort or by ratio.
 struct EffortRow {
   const Recommendation* of;
   std::size_t i;
@@ -185,7 +186,7 @@ text::Cell taken_cell(const EffortRow& row) {
   return cell;
 }
 
-/// "-3.2" points; no_number for the best itself.
+/// Returns "-3.2" points; no_number for the best itself.
 text::Cell behind_cell(const EffortRow& row) {
   const auto& of = row.candidate().behind;
   text::Cell cell = of ? number_label(of->paired.difference.mean, in_points) : no_number;
@@ -193,7 +194,7 @@ text::Cell behind_cell(const EffortRow& row) {
   return cell;
 }
 
-/// Holm's p; no_number where nothing is asked.
+/// Returns Holm's p; no_number if the candidate is not tested.
 text::Cell holm_cell(const EffortRow& row) {
   const auto& of = row.candidate().behind;
   const bool is_tested = of && of->p_holm;
@@ -202,7 +203,7 @@ text::Cell holm_cell(const EffortRow& row) {
   return cell;
 }
 
-/// Each effort at one ratio; for CSV, which has more columns, those at each ratio.
+/// Returns each effort at one ratio. CSV has more columns and gets the efforts at each ratio.
 text::Table table_by_effort(const std::vector<EffortRow>& rows) {
   EffortColumns columns;
   const auto row_of = [](const EffortRow& row) { return row.candidate().row; };

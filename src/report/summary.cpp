@@ -42,7 +42,7 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   return text;
 }
 
-/// Empty where nothing can be recommended.
+/// Returns "" if nothing can be recommended.
 std::string recommendation_paragraph(const std::vector<AccuracyRow>& rows,
                                      const run::Results& results) {
   const std::vector<Recommendation> all = recommendations(rows, results);
@@ -55,16 +55,15 @@ std::string recommendation_paragraph(const std::vector<AccuracyRow>& rows,
 
 bool is_none(const AccuracyRow& row) { return row.method == augment::no_method; }
 
-/// "61.2/85.4": here, and as published; "61.2" where nothing is. A sign marks the mean of fewer
-/// seeds than the run has.
+/// Returns "61.2/85.4", ours and the published number, or "61.2" if nothing is published. Marks a
+/// mean of fewer seeds than the run has.
 std::string beside_published(const AccuracyRow& row, std::size_t seeds) {
   return number_label(row.summary.mean, percent_style) +
          (row.seeds.size() < seeds ? mark_of_fewer_seeds : "") +
          (row.theirs() ? "/" + number_label(*row.theirs(), percent_style) : "");
 }
 
-/// `none`, which has a ratio of its own, is in the title, and in the table where there is nothing
-/// else.
+/// Shows `none` only if there is nothing else: it has its own ratio, and the title names it.
 text::Table overview_table(std::vector<AccuracyRow> rows, std::size_t seeds) {
   if (!std::ranges::all_of(rows, is_none)) std::erase_if(rows, is_none);
   return ratio_matrix(rows, {}, {.short_ratios = true, .cell_of = [&](const AccuracyRow& row) {
@@ -81,7 +80,7 @@ std::string overview_title(const ClassifierRows& block, std::size_t seeds) {
   return title + "; without generated windows " + beside_published(*none, seeds);
 }
 
-/// How to read the numbers of a table, as far as it has them.
+/// Explains the numbers of a table.
 std::string how_to_read_overview(const ClassifierRows& block, std::size_t seeds) {
   const PaperReference reference(block.rows.front().dataset, block.classifier);
   std::string text;

@@ -43,8 +43,8 @@ run::Series series_of(const Sweep& sweep, const SweepPoint& point,
   return series;
 }
 
-/// The seeds of a run at which any setting was moved, and those asked for. The cells of a centre
-/// are the grid's, which may have other seeds; they say nothing of the settings beside them.
+/// Returns the seeds at which the run holds any changed setting, and the requested seeds. Ignores
+/// centres: their cells belong to the grid, which may have other seeds.
 std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sweep,
                                       const std::string& ratio, bool is_asked,
                                       const run::Held& held) {
@@ -60,11 +60,11 @@ std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sw
   return {seeds.begin(), seeds.end()};
 }
 
-/// What is read of one ratio.
+/// Cells to read at one ratio.
 struct SweptRatio {
   run::Combination combination;
-  std::vector<std::int64_t> asked;  ///< seeds that must be there
-  std::vector<std::int64_t> seeds;  ///< all that may be
+  std::vector<std::int64_t> asked;  ///< required seeds
+  std::vector<std::int64_t> seeds;  ///< all seeds that may exist
 };
 
 std::vector<SweptRatio> swept_ratios(const run::Layout& layout, const Sweep& sweep,
@@ -109,7 +109,7 @@ std::vector<std::string> factors_of(const Sweep& sweep) {
   return factors;
 }
 
-/// A block for each value of the factor, and in it a row for each ratio.
+/// Returns a block for each value of the factor, with a row for each ratio.
 text::Table factor_table(const std::string& factor, const std::vector<SweepRow>& rows) {
   const auto has_interval = [](const SweepRow& row) {
     return row.accuracy.summary.interval.has_value();

@@ -39,7 +39,7 @@ std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
       ceiling_note(grid));
 }
 
-/// The tables of one classifier.
+/// Returns the tables of one classifier.
 std::vector<Section> sections_of(const ClassifierRows& block, const run::Results& results,
                                  const Published& published,
                                  const std::vector<Comparisons>& comparisons,
@@ -59,7 +59,8 @@ std::vector<Section> sections_of(const ClassifierRows& block, const run::Results
   return sections;
 }
 
-/// Keys are labels of LaTeX: those by the paper's classifier are as where there is no other.
+/// Adds the classifier to title and key. Keys are labels of LaTeX; the keys of the paper's
+/// classifier stay the same whether or not there are others.
 Section named_by(const std::string& classifier, Section section) {
   section.title += ", by " + classifier;
   if (classifier != scoring::paper_classifier) section.key += "-" + classifier;

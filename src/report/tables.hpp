@@ -9,12 +9,11 @@
 
 namespace piae::report {
 
-/// All tables of a dataset: accuracies and gains, beside what the paper publishes of this dataset
-/// or of its counterpart, comparisons and ranks, decisions over several windows and confidence, for
-/// each classifier; then quality. Where there are several classifiers, the title of each table says
-/// which it is of. `rows`, at least one, were made from `results`; `comparisons` and `ranks` were
-/// made from `rows`. `twins` (twin_table.hpp) follow. Last comes which method to take
-/// (recommendation_tables.hpp).
+/// Returns all tables of a dataset. For each classifier: accuracies and gains, next to the
+/// published numbers of this dataset or its counterpart; comparisons, ranks, decisions over several
+/// windows and confidence. Then come quality, `twins` (twin_table.hpp) and the recommended method
+/// (recommendation_tables.hpp). If there are several classifiers, each title names its own. `rows`,
+/// at least one, were made from `results`; `comparisons` and `ranks` were made from `rows`.
 Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
                 const std::vector<Comparisons>& comparisons, const std::vector<RankTable>& ranks,

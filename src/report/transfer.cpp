@@ -45,7 +45,7 @@ GroupCell cell_of_means(const std::vector<GroupCell>& cells) {
   return mean;
 }
 
-/// Empty where the datasets do not have the method by this classifier.
+/// Returns nothing if a dataset does not have the method by this classifier.
 std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
                                   const std::string& method, const std::string& classifier) {
   GroupRow group{.method = method, .classifier = classifier, .datasets = {}, .mean = {}};
@@ -65,7 +65,7 @@ bool is_among(const std::vector<InputChoice>& choices, const GroupRow& row) {
   });
 }
 
-/// The best input of a method among those of trained classifiers; of equal ones the first.
+/// Returns the best input of a method among those of trained classifiers; of equal ones the first.
 GroupRow* best_row(std::vector<GroupRow>& rows, const std::string& method, Question question) {
   const auto mean = [&](const GroupRow& row) { return answers(row.mean, question).summary.mean; };
   GroupRow* best = nullptr;
@@ -124,7 +124,7 @@ std::vector<InputChoice> parse_inputs(const std::string& option,
   return choices;
 }
 
-/// A method that one question has an input for and the other has not would stand in half of the
+/// Refuses a method that has an input for one question only, because it would be in half of the
 /// tables.
 void require_same_methods(const GroupChoices& choices) {
   const auto methods_of = [](const std::vector<InputChoice>& inputs) {
@@ -139,7 +139,7 @@ void require_same_methods(const GroupChoices& choices) {
               "one of, and of no other");
 }
 
-/// The names of all ratios that cells are read of: 100to1 for `none`, and the one asked for.
+/// Returns the names of the ratios to read: the requested one, and 100to1 for `none`.
 std::vector<std::string> ratios_with(const std::string& ratio) {
   if (scoring::find_ratio(ratio).generated_per_class == 0) {
     throw Error(Exit::usage, "--ratio " + ratio + ": generates nothing; name another");
@@ -157,8 +157,8 @@ run::Results collect_diagnoses(const run::Layout& layout, const run::Grid& grid)
   return results;
 }
 
-/// The same results with the accuracies by kind of defect in the place of those by class. Empty
-/// where kinds are not told apart.
+/// Returns the results with accuracies by fault type instead of by class. Empty if the dataset does
+/// not have fault types.
 std::optional<run::Results> by_kind(run::Results results) {
   for (run::Diagnosis& cell : results.diagnoses) {
     if (!cell.kind_accuracy) return std::nullopt;
@@ -173,7 +173,7 @@ DatasetRows dataset_rows(const run::Grid& grid, const run::Results& results) {
   return rows;
 }
 
-/// What all files lack is told at once, whichever dataset they are of.
+/// Reports the problems of all datasets in one error.
 void require_all_of(const std::vector<run::Results>& datasets) {
   run::Results all;
   for (const run::Results& each : datasets) {

@@ -13,34 +13,34 @@
 
 namespace piae::report {
 
-/// Which classifier a method is shown with: a choice that was made before, on other seeds.
+/// Classifier that a method is shown with, chosen before on other seeds.
 struct InputChoice {
   std::string method;
   std::string classifier;
 };
 
-/// Reads "none=wdcnn-spectrum". Throws Error(usage) for what is not METHOD=CLASSIFIER, for a method
-/// or a classifier that there is not, and for a classifier that does not train: it has no input to
-/// choose, and stands beside all methods anyway.
+/// Reads "none=wdcnn-spectrum". Throws Error(usage) for other formats, an unknown method or
+/// classifier, and a classifier that does not train: it has no input to choose and is shown next to
+/// all methods anyway.
 InputChoice parse_input_choice(const std::string& word);
 
-/// Stands in the place of a dataset's name for the mean over those of a group.
+/// Dataset name of the mean over the datasets of a group.
 inline const std::string mean_over_datasets = "mean";
 
-/// The accuracies of one method by one classifier, on one dataset or in the mean over several.
+/// Accuracies of one method by one classifier, on one dataset or in the mean over several.
 struct GroupCell {
   AccuracyRow row;
-  /// The same by kind of defect; there where every dataset that it is of tells kinds apart.
+  /// The same by fault type; set if all its datasets have fault types.
   std::optional<AccuracyRow> kind;
 };
 
-/// What an input is to its method.
+/// Marks of an input in the row of its method.
 struct Marks {
-  bool recorded = false;  ///< the one that was chosen for the method before the run
-  bool best = false;      ///< the best of those of a trained classifier in this very run
+  bool recorded = false;  ///< chosen for the method before the run
+  bool best = false;      ///< the best of the trained classifiers in this run
 };
 
-/// What is asked of a window: its class, or its kind of defect, whatever the size.
+/// Question about a window: its class, or its fault type whatever the size.
 enum class Question { by_class, by_kind };
 
 /// One method by one classifier, on the datasets of a group.
@@ -49,93 +49,93 @@ struct GroupRow {
   std::string classifier;
   std::vector<GroupCell> datasets;  ///< in the order of the group
   GroupCell mean;                   ///< for each seed the mean over the datasets
-  Marks by_class = {};              ///< as an input for telling classes
-  Marks by_kind = {};               ///< as an input for telling kinds of defect
+  Marks by_class = {};              ///< as an input for classes
+  Marks by_kind = {};               ///< as an input for fault types
 
   [[nodiscard]] const Marks& marks(Question question) const {
     return question == Question::by_class ? by_class : by_kind;
   }
 };
 
-/// The accuracies of a cell by class or by kind, which it must tell.
+/// Returns the accuracies of a cell by class or by fault type. The cell must have them.
 const AccuracyRow& answers(const GroupCell& cell, Question question);
 
-/// What was chosen before the run.
+/// Choices made before the run.
 struct GroupChoices {
   std::string group;                     ///< "speeds"
-  std::string against;                   ///< the method that all others are subtracted from
+  std::string against;                   ///< method that all others are subtracted from
   std::vector<InputChoice> inputs = {};  ///< at most one for each method
-  /// The same for telling kinds of defect; empty where those of classes are taken.
+  /// The same for fault types; empty if the inputs for classes are used.
   std::vector<InputChoice> kind_inputs = {};
 
   [[nodiscard]] const std::vector<InputChoice>& inputs_for(Question question) const;
 };
 
-/// What each method is worth where faults are known in other conditions than they are tested in.
+/// Accuracy of each method when faults are known in other conditions than they are tested in.
 struct TransferGroup {
   GroupChoices choices;
   std::vector<std::string> datasets;
   signal::Protocol protocol = signal::Protocol::random;
   std::vector<std::int64_t> seeds;
   std::vector<GroupRow> rows;  ///< by method, then classifier, in the order of their catalogues
-  /// own() minus each of others(), in the mean over the datasets. A row has the name of what is
-  /// subtracted. Empty where there is no own().
+  /// own() minus each of others(), in the mean over the datasets. A row has the name of the
+  /// subtracted method. Empty if own() is null.
   std::vector<PairedRow> differences = {};
 
-  /// The rows by the inputs that are recorded: one for each method that has one.
+  /// Returns the rows by the recorded inputs: one for each method that has such an input.
   [[nodiscard]] std::vector<const GroupRow*> recorded(Question question = Question::by_class) const;
-  /// Whether every row tells kinds of defect.
+  /// True if every row has accuracies by fault type.
   [[nodiscard]] bool tells_kinds() const;
-  /// That of `against`; null where it has none.
+  /// Returns the recorded row of `against`; null if there is none.
   [[nodiscard]] const GroupRow* own() const;
-  /// Those of all other methods, and the bar.
+  /// Returns the recorded rows of all other methods, and bar().
   [[nodiscard]] std::vector<const GroupRow*> others() const;
-  /// None by the bar's classifier; null where it is not there.
+  /// Returns `none` by the reference classifier; null if missing.
   [[nodiscard]] const GroupRow* bar() const;
-  /// The best input of a method in this run; null where it has none of a trained classifier.
+  /// Returns the best input of a method in this run; null if no trained classifier has a row.
   [[nodiscard]] const GroupRow* best_of(const std::string& method,
                                         Question question = Question::by_class) const;
 };
 
-/// For each seed the mean over the rows, which are of one method and one classifier, each of
-/// another dataset. Throws Error(bad_input) where they do not have the same seeds: their mean would
-/// be of other datasets from seed to seed.
+/// Returns for each seed the mean over the rows, which belong to one method and classifier but
+/// different datasets. Throws Error(bad_input) if their seeds differ, because each seed's mean
+/// would then cover other datasets.
 AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows);
 
 /// All rows of a dataset at one ratio, and at 100to1 for `none`.
 struct DatasetRows {
   std::string dataset;
   std::vector<AccuracyRow> rows;
-  /// The same by kind of defect; empty where it does not tell kinds apart.
+  /// The same by fault type; empty if the dataset does not have fault types.
   std::vector<AccuracyRow> kinds = {};
 };
 
-/// Puts datasets together that have the same methods and classifiers. Throws as
-/// mean_of_datasets() does.
+/// Combines datasets that have the same methods and classifiers. Throws as mean_of_datasets() does.
 TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows>& datasets);
 
-/// A group of datasets, as [transfer.GROUP] of pipeline/protocol.toml describes it, and the cells
-/// that a table of it is made of.
+/// A group of datasets, as in [transfer.GROUP] of pipeline/protocol.toml, and the cells of its
+/// table.
 struct TransferOptions {
   std::string group = {};
   std::vector<std::string> datasets = {};
   std::string against = {};
   std::vector<std::string> inputs = {};       ///< "none=wdcnn-spectrum", see parse_input_choice()
-  std::vector<std::string> kind_inputs = {};  ///< the same for telling kinds; may be empty
+  std::vector<std::string> kind_inputs = {};  ///< the same for fault types; may be empty
   std::vector<std::string> methods = {};
-  std::string ratio = {};  ///< of the generated windows; `none` is taken at 100to1
+  std::string ratio = {};  ///< of the generated windows; `none` uses 100to1
   std::vector<std::string> classifiers = {};
   std::vector<std::string> seeds = {};
 };
 
-/// Binds all but --group, which a program needs before the others (cli::Stage::choose_variant).
+/// Binds all options but --group, which a program needs before the others
+/// (cli::Stage::choose_variant).
 void bind(const cli::Options& command, TransferOptions& options);
 
 /// Reads the cells from the folder of a run, such as results/paper. Throws Error(usage) as
-/// run::resolve() and parse_input_choice() do, for a method with two inputs, for a ratio at which
-/// nothing is generated, and where the input that is recorded for a method is not among the
-/// classifiers; Error as run::require_all() for cells that are missing or refused; and
-/// Error(bad_input) for datasets that were split by different protocols.
+/// run::resolve() and parse_input_choice() do, and for a method with two inputs, a ratio that
+/// generates nothing, and a recorded input that is not among the classifiers. Throws Error as
+/// run::require_all() for missing or refused cells, and Error(bad_input) if the datasets were split
+/// by different protocols.
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options);
 
 }  // namespace piae::report

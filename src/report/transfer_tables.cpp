@@ -23,20 +23,20 @@ using Cells = std::vector<std::string>;
 constexpr const char* mark_of_recorded = "✓";
 constexpr const char* mark_of_best = "↑";
 
-/// The rows of the main tables: the methods by the inputs recorded for them, and the bar.
+/// Returns the rows of the main tables: methods by their recorded inputs, and the reference.
 std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question question) {
   std::vector<const GroupRow*> rows = group.recorded(question);
   if (group.bar() != nullptr) rows.push_back(group.bar());
   return rows;
 }
 
-/// "smote" and "wdcnn-spectra"; the bar is called as in other tables.
+/// Returns "smote" and "wdcnn-spectra". The reference has the same name as in other tables.
 Cells shown_names(const TransferGroup& group, const GroupRow& row) {
   if (&row == group.bar()) return {bar_label(row.mean.row), no_number};
   return {method_label(row.method), row.classifier};
 }
 
-/// The title and the key of a table, which is there once for each question.
+/// Returns the title or key of a table that exists once for each question.
 std::string titled(Question question, const std::string& title) {
   return title + (question == Question::by_class ? "" : " by kind of defect") + ", percent";
 }
@@ -103,7 +103,7 @@ const GroupRow* group_row_of(const TransferGroup& group, const std::string& meth
   return found == group.rows.end() ? nullptr : &*found;
 }
 
-/// How far the recorded input of a method is below its best one in this run.
+/// Returns how many points the recorded input of a method is below its best one in this run.
 std::string lost_label(const TransferGroup& group, const std::string& method, Question question) {
   const std::vector<const GroupRow*> recorded = group.recorded(question);
   const auto own = std::ranges::find(recorded, method, &GroupRow::method);
@@ -113,7 +113,7 @@ std::string lost_label(const TransferGroup& group, const std::string& method, Qu
                       answers((*own)->mean, question).summary.mean);
 }
 
-/// Classifiers of which there is a row.
+/// Returns the classifiers that have a row.
 Cells classifiers_of(const TransferGroup& group) {
   Cells names;
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
@@ -132,7 +132,7 @@ Cells group_methods(const TransferGroup& group) {
   return names;
 }
 
-/// The best inputs of this run as pipeline/protocol.toml records them.
+/// Returns the best inputs of this run in the format of pipeline/protocol.toml.
 std::string best_inputs(const TransferGroup& group, Question question) {
   Cells words;
   for (const GroupRow& row : group.rows) {
@@ -187,7 +187,7 @@ std::string about(const TransferGroup& group) {
       about_intervals);
 }
 
-/// Methods of which no input is recorded; empty where there are none.
+/// Returns a note on methods without a recorded input; "" if there are none.
 std::string about_missing_choices(const TransferGroup& group) {
   Cells without = group_methods(group);
   for (const GroupRow* const row : group.recorded()) std::erase(without, row->method);
@@ -222,7 +222,7 @@ struct TransferLine {
   const GroupCell* cell;
   std::optional<std::size_t> seed;
 
-  /// Of a seed a mean without spread.
+  /// Returns the value of one seed without spread, or the summary over the seeds.
   [[nodiscard]] scoring::Summary summary_of(const AccuracyRow& row) const {
     if (!seed) return row.summary;
     scoring::Summary summary;

@@ -7,22 +7,22 @@
 
 namespace piae::report {
 
-/// transfer@GROUP.csv, of which the picture is drawn too:
+/// Returns transfer@GROUP.csv, which also feeds the figure:
 /// dataset,speed_ratio,method,role,classifier,recorded,best,ratio,seed,accuracy,std,ci95_low,
-/// ci95_high,kind,kind_std,kind_ci95_low,kind_ci95_high,kind_recorded,kind_best
-/// in percent. `dataset` is "mean" for the mean over the group, `seed` "mean" for that over the
-/// seeds, which alone has a deviation and an interval. `speed_ratio` is the tested speed divided by
+/// ci95_high,kind,kind_std,kind_ci95_low,kind_ci95_high,kind_recorded,kind_best in percent.
+/// `dataset` is "mean" for the mean over the group. `seed` is "mean" for the mean over the seeds;
+/// only these lines have a deviation and an interval. `speed_ratio` is the tested speed divided by
 /// the known one. `role` is "against" for the method that the others are subtracted from,
-/// "ceiling", "bar" for none by nearest, and else "method". `recorded` is 1 for the input that was
-/// chosen before, `best` 1 for the best of a trained classifier in this run. Of kinds of defects
-/// only where they are told apart; their inputs have marks of their own.
+/// "ceiling", "bar" for none by nearest, and otherwise "method". `recorded` is 1 for the input
+/// chosen before, `best` is 1 for the best of a trained classifier in this run. The columns kind*
+/// are filled only for datasets with fault types.
 std::string transfer_csv(const TransferGroup& group);
 
-/// transfer-comparisons@GROUP.csv: group,ratio,method,classifier,minus,minus_classifier and
+/// Returns transfer-comparisons@GROUP.csv: group,ratio,method,classifier,minus,minus_classifier and
 /// paired_columns(). The difference is the accuracy of `method` minus that of `minus`.
 std::string transfer_comparisons_csv(const TransferGroup& group);
 
-/// The same for people.
+/// Returns the same for people.
 Document transfer_document(const TransferGroup& group);
 
 }  // namespace piae::report

@@ -28,7 +28,7 @@ void require_of_cell(const artefact::Reader& reader, const diagnosis::KeptClassi
                                  combination.method, combination.ratio, seed));
 }
 
-/// The mean over the seeds of each of these shares, in percent.
+/// Returns the mean over the seeds of a share, in percent.
 scoring::Summary percent_over_seeds(const std::vector<diagnosis::Trust>& trusts,
                                     double diagnosis::Trust::*share) {
   std::vector<double> values;
@@ -36,7 +36,7 @@ scoring::Summary percent_over_seeds(const std::vector<diagnosis::Trust>& trusts,
   return scoring::summarise(values);
 }
 
-/// Of the classes that were left out, where it can be told what is strange.
+/// Adds the numbers for classes left out of training, if the classifier measures novelty.
 void add_untrained(TrustRow& row, const std::vector<diagnosis::Trust>& trusts,
                    const std::map<Label, std::string>& names) {
   std::vector<double> aurocs;
@@ -140,7 +140,7 @@ Section unknown_section(const std::vector<TrustRow>& rows) {
           .table = table};
 }
 
-/// Whether an earlier row has the same areas, as where both compare with the same windows.
+/// True if an earlier row has the same areas, as when both compare with the same windows.
 bool is_as_before(const std::vector<TrustRow>& rows, std::size_t row) {
   return std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(row),
                      [&](const TrustRow& earlier) {

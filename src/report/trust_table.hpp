@@ -13,8 +13,7 @@
 
 namespace piae::report {
 
-/// What may be believed of the kept classifiers of one method, ratio and classifier, over the
-/// seeds.
+/// Reliability of the kept classifiers of one method, ratio and classifier, over the seeds.
 struct TrustRow {
   run::Combination combination;
   scoring::Summary accuracy;  ///< this and the next three: see diagnosis::Trust, in percent
@@ -22,20 +21,20 @@ struct TrustRow {
   scoring::Summary calibration_error;
   scoring::Summary called_unknown;
   scoring::Summary temperature;
-  /// If a class had not been trained: the mean over the classes of how well its windows are told
-  /// from the others, in [0, 1], and which share of them is called unknown, in percent.
-  /// None where it cannot be told what is strange (KeptClassifier::strangeness()).
+  /// Numbers for a class left out of training, as means over the classes: how well its windows are
+  /// separated from the others, in [0, 1], and the share called unknown, in percent. Empty if the
+  /// classifier does not measure novelty (KeptClassifier::strangeness()).
   std::optional<scoring::Summary> auroc = {};
   std::optional<scoring::Summary> untrained_called_unknown = {};
   /// The area of each class, by its name.
   std::vector<std::pair<std::string, scoring::Summary>> auroc_by_class = {};
 };
 
-/// Reads the kept classifier of every cell. Throws artefact::Refusal for one that is not there, or
-/// not of its cell.
+/// Reads the kept classifier of every cell. Throws artefact::Refusal if one is missing or belongs
+/// to another cell.
 std::vector<TrustRow> trust_rows(const run::Layout& layout, const run::Grid& grid);
 
-/// A line for each row, and one for each class that is left out:
+/// Returns a line for each quantity of each row, and one for each class left out of training:
 /// dataset,classifier,method,ratio,seeds,quantity,class,mean,std.
 std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& rows);
 

@@ -13,7 +13,7 @@ namespace {
 
 using twin::Outcome;
 
-/// The trainings of one method, by seed.
+/// Returns the outcomes of one method's trainings, by seed.
 std::vector<Outcome> outcomes_of(const std::string& method, const run::Layout& layout,
                                  const run::Held& held) {
   std::vector<std::filesystem::path> files;

@@ -9,10 +9,10 @@
 
 namespace piae::report {
 
-/// How the trainings of the twins ended: losses, the weights of eq. 23 and how far these are from
-/// its stationary point, and known windows whose contact is open at rest; of all methods with a
-/// physics-informed module whose models the run holds. No section where it holds none, as in a
-/// copied run. Throws artefact::Refusal for a damaged model.
+/// Returns how the trainings of the twins ended, for all methods with a physics-informed module
+/// whose models the run holds: losses, weights of eq. 23, their distance from the stationary point,
+/// and known windows whose contact is open at rest. Returns no section if the run has no models, as
+/// in a copied run. Throws artefact::Refusal for a damaged model.
 std::vector<Section> twin_sections(const run::Layout& layout, const run::Grid& grid,
                                    const run::Held& held);
 

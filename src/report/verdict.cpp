@@ -31,7 +31,7 @@ std::string named(const AccuracyRow& row) {
                      short_ratio_label(row.ratio));
 }
 
-/// "shift (+35.2)"; with how many seeds where others have more: "shift (+35.2, 1 seed)".
+/// Returns "shift (+35.2)", or "shift (+35.2, 1 seed)" if others have more seeds.
 std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_seeds) {
   std::vector<std::string> words;
   words.reserve(gains.size());
@@ -43,8 +43,8 @@ std::string with_points(const std::vector<AccuracyRow>& gains, std::size_t most_
   return listed(words);
 }
 
-/// The gains of all methods and ceilings at the ratio with the most generated windows. A ratio that
-/// only a few methods of the run have tells little: at least half of them must have it.
+/// Returns the gains of all methods and ceilings at the ratio with the most generated windows. At
+/// least half of the methods must have that ratio; otherwise it shows little.
 std::vector<AccuracyRow> largest_gains(const std::vector<AccuracyRow>& rows) {
   std::vector<AccuracyRow> gains = gain_rows(rows);
   const std::size_t methods = methods_of(gains).size();
@@ -59,8 +59,8 @@ std::vector<AccuracyRow> largest_gains(const std::vector<AccuracyRow>& rows) {
   return gains;
 }
 
-/// One or two seeds do not tell an effect from chance: nothing is said but the numbers. `gains` are
-/// sorted.
+/// Reports only numbers, because one or two seeds cannot distinguish an effect from chance. `gains`
+/// are sorted.
 std::string of_few_seeds(std::vector<AccuracyRow> gains, const AccuracyRow& baseline,
                          const std::string& ceiling) {
   const std::int64_t generated = gains.front().generated_per_class;
@@ -103,7 +103,7 @@ std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baselin
       gains.front().generated_per_class, baseline.summary.mean, seeds, listed(parts), ceiling);
 }
 
-/// The mean of a metric over classes and seeds; empty where the method has no score.
+/// Returns the mean of a metric over classes and seeds; nothing if the method has no score.
 std::optional<double> mean_of(const run::Results& results, const std::string& method,
                               double scoring::ClassQuality::*metric) {
   double sum = 0;
@@ -125,8 +125,8 @@ std::string against_real(const run::Results& results, const std::string& method)
       100 * *amplitude, std::abs(*line), *line < 0 ? "weaker" : "stronger");
 }
 
-/// How the sentence about the paper's method begins: where it gains nothing, or less than half of
-/// what real windows would. Empty where it does well.
+/// Returns the start of the sentence on the paper's method if it gains nothing, or less than half
+/// of what real windows gain; "" otherwise.
 std::string falls_short(const std::vector<AccuracyRow>& gains, const AccuracyRow& gain) {
   const bool is_told = gain.summary.interval.has_value();
   if (is_told && effect_of(gain) != Effect::helps) return "As published, " + gain.method;
