@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of the folders in a folder.
+/// Returns the names of the folders in a folder.
 std::vector<std::string> folders_in(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code none_there;
@@ -30,13 +30,13 @@ std::vector<std::string> asked_datasets(const AskedCells& asked) {
   return run::split_list("--datasets", asked.datasets);
 }
 
-/// Whether `make identify` alone left the models that are there.
+/// True if only `make identify` left the models of this dataset.
 bool was_only_identified(const run::Layout& layout) {
   return fs::is_regular_file(layout.identifiability_csv()) && !run::holds_cells(layout);
 }
 
-/// Whether the report has to do with a data set that nobody has named. Of one that was tried, but
-/// of which no method was begun, nothing tells which cells are missing: a line names it.
+/// True if the report includes a dataset that the user did not name. Warns about a dataset that was
+/// tried but has no started method: nothing records which of its cells are missing.
 bool is_reported(const run::Layout& layout) {
   if (!run::methods_begun(layout).empty()) return !was_only_identified(layout);
   if (!layout.seeds().empty() || fs::exists(layout.folder() / "ingest.log")) {
@@ -92,7 +92,7 @@ run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const A
   }
   run::GridOptions cells = asked.cells;
   cells.dataset = dataset;
-  // Where no cell was begun, no folder tells which ratios were asked for.
+  // Without a started cell, no folder records the requested ratios.
   if (cells.ratios.empty() && !run::holds_cells(layout)) {
     cells.ratios = every_ratio();
   }

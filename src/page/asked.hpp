@@ -9,29 +9,29 @@
 
 namespace piae::page {
 
-/// Which cells there should be. A list that is empty stands for what the folder holds. A report is
-/// of all that the folder holds besides, too.
+/// Requested cells. An empty list stands for what the folder holds. A report also includes
+/// everything else that the folder holds.
 struct AskedCells {
   std::vector<std::string> datasets = {};
-  run::GridOptions cells = {};  ///< of each of them
-  /// What is out of date, below the folder of the run: "cwru/seed1/smote".
+  run::GridOptions cells = {};  ///< for each of the datasets
+  /// Files that are out of date, relative to the folder of the run: "cwru/seed1/smote".
   std::vector<std::string> leave_out = {};
 
-  /// What is left out of one data set, below its folder.
+  /// Returns the names to leave out of one dataset, relative to its folder.
   [[nodiscard]] std::vector<std::string> left_out_of(const std::string& dataset) const;
 };
 
 void bind(const cli::Options& command, AskedCells& asked);
 
-/// The data sets that are asked for, and those of which the folder of the run holds more than what
-/// `make identify` left, in alphabetical order. Throws Error(usage) for one that is named twice,
-/// Error(input_missing) where there is none.
+/// Returns the requested datasets and those of which the run holds more than what `make identify`
+/// left, in alphabetical order. Throws Error(usage) if one is named twice, and Error(input_missing)
+/// if there are none.
 std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);
 
-/// The cells of one data set that there should be, see run::resolve_begun(): of every ratio where
-/// no ratio is asked for and none was begun. Nothing is asked for of a data set that is not among
-/// those asked for. Throws Error(usage) as run::resolve() does, Error(input_missing) where nothing
-/// is asked for and the folder holds nothing.
+/// Returns the requested cells of one dataset; see run::resolve_begun(). Uses every ratio if none
+/// is requested and none was started. Returns an empty grid if other datasets are requested but not
+/// this one. Throws Error(usage) as run::resolve() does, and Error(input_missing) if nothing is
+/// requested and the folder is empty.
 run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const AskedCells& asked);
 
 }  // namespace piae::page

@@ -21,7 +21,7 @@ using report::Section;
 
 namespace {
 
-/// As much of a digest as tells it from all others; `verify` checks the whole.
+/// Number of digits that identify an artefact; `verify` checks the whole digest.
 constexpr std::size_t shown_digits = 16;
 
 text::Cell digest_cell(const std::string& digest) {
@@ -78,7 +78,7 @@ Section scores_table(const std::vector<DatasetContents>& datasets) {
   return {"scores", "Scores: the mean over classes of each metric", "", table};
 }
 
-/// A row for all seeds of a diagnosis: accuracy_rows() have them together.
+/// Returns a row for all seeds of a diagnosis, because accuracy_rows() combine them.
 Section combined_table(const std::vector<DatasetContents>& datasets) {
   text::Table table({"data set", "method", "classifier", "ratio"}, 4);
   for (const char* heading : {"diagnoses", "lowest", "highest"}) table.column({heading, true});
@@ -129,7 +129,7 @@ Html table_of_builds(const Builds& builds) {
                               "From /provenance of every diagnosis.h5 and score.h5.", table});
 }
 
-/// Records of thousands of files would fill the page.
+/// Limit of listed files, because thousands of records would fill the page.
 constexpr std::size_t most_files = 100;
 
 Html table_of_records(const std::vector<DatasetContents>& datasets) {

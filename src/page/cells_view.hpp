@@ -8,14 +8,15 @@
 
 namespace piae::page {
 
-/// More cells than this have no row each, or the page could not be sent by mail.
+/// Limit of cells that get a row each. A longer page could not be sent by mail.
 inline constexpr std::size_t most_listed_cells = 3000;
 
-/// Every cell with its number, artefact and digest: what all means were made from. Of more than
-/// most_listed_cells, a row for all seeds of a diagnosis.
+/// Returns every cell with its number, artefact and digest, from which all means were computed.
+/// Above most_listed_cells, returns a row for all seeds of a diagnosis.
 Html cells_view(const std::vector<DatasetContents>& datasets);
 
-/// By which commit, libraries and machine the cells were made, and from which recordings.
+/// Returns the commit, libraries and machine that made the cells, and the recordings they came
+/// from.
 Html provenance_view(const std::vector<DatasetContents>& datasets);
 
 }  // namespace piae::page

@@ -27,8 +27,8 @@ fs::path file_of(const run::Layout& layout, const run::CellName& name) {
                             : layout.diagnosis(name.method, name.ratio, name.seed, name.classifier);
 }
 
-/// The log of the first step on the way to a cell that is not done; also that of a data set's
-/// recordings, without which nothing else has begun.
+/// Returns the log of the first unfinished step on the way to a cell. Includes the dataset's
+/// recordings, without which nothing else can start.
 std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path& file) {
   if (auto log = run::Layout::unfinished_log(file)) return log;
   if (fs::exists(layout.folder() / "records.h5")) return std::nullopt;
@@ -46,13 +46,13 @@ HoleState state_of(const run::StepLog& log) {
       return HoleState::interrupted;
     case run::StepEnd::open:
       return HoleState::open;
-    case run::StepEnd::done:  // and then its file was removed
+    case run::StepEnd::done:  // and its file was removed later
       break;
   }
   return HoleState::not_begun;
 }
 
-/// Whether a path may go on from this character: what stands behind it is not its beginning.
+/// True if `c` can be part of a path. Text after such a character does not start a path.
 bool may_be_in_path(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || byte > 127 ||
@@ -66,14 +66,14 @@ Build build_of(const artefact::Reader& reader) {
           .processor = reader.text(group, "cpu")};
 }
 
-/// Names of cells, of which there may be a hundred thousand.
+/// Names of cells; there may be a hundred thousand.
 using CellNames = std::set<std::tuple<std::string, std::string, std::int64_t, std::string>>;
 
 CellNames::value_type key_of(const run::CellName& name) {
   return {name.method, name.ratio, name.seed, name.classifier};
 }
 
-/// Those that are read, or left out.
+/// Returns the cells that were read or left out.
 CellNames no_holes(const run::Results& results) {
   CellNames names;
   for (const run::Diagnosis& cell : results.diagnoses) {
@@ -106,7 +106,7 @@ bool is_among(const run::Grid& grid, const run::CellName& name) {
                             run::Combination{name.method, name.ratio, name.classifier}) > 0;
 }
 
-/// The cells that are asked for, or were begun, and could not be read.
+/// Returns the cells that were requested or started, and could not be read.
 std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
                            const DatasetContents& contents) {
   const run::Layout layout(run, contents.name);
@@ -126,7 +126,7 @@ std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
   return holes;
 }
 
-/// "ROLE FILE DIGEST", as provenance holds the inputs of an artefact.
+/// Reads "ROLE FILE DIGEST", the format of an artefact's inputs in its provenance.
 RecordInput record_input(const std::string& line) {
   const std::size_t role = line.find(' ');
   const std::size_t digest = line.rfind(' ');

@@ -18,48 +18,48 @@
 
 namespace piae::page {
 
-/// How far a cell is that is not there.
+/// Why a cell is missing.
 enum class HoleState {
   failed,       ///< a step on the way to it failed
-  refused,      ///< it is there, but damaged, of another cell, or made under other conditions
-  interrupted,  ///< a step was stopped; the same command goes on from there
+  refused,      ///< it exists but is damaged, belongs to another cell, or was made under other
+                ///< conditions
+  interrupted,  ///< a step was stopped; the same command continues from there
   open,         ///< a step is running, or was killed
   not_begun
 };
 
-/// A cell of the grid that no number of a page includes, and why.
+/// A cell of the grid that is missing from all numbers of a page, and why.
 struct Hole {
   run::CellName name;  ///< the ratio is empty for a score
   HoleState state = HoleState::not_begun;
-  std::string stage = {};          ///< the one that is not done; empty for a cell that is refused
-  std::string why = {};            ///< of a cell that failed or is refused
-  std::filesystem::path log = {};  ///< below the folder of the run; empty where there is none
+  std::string stage = {};          ///< stage that is not done; empty for a refused cell
+  std::string why = {};            ///< reason of a failed or refused cell
+  std::filesystem::path log = {};  ///< relative to the folder of the run; empty if none
 };
 
-/// What collecting a data set said of its files, by file: all its errors name one. There may be as
-/// many as there are cells.
+/// Errors from collecting a dataset, by the file that each names. There may be as many as cells.
 class ProblemsByFile {
  public:
   ProblemsByFile(const run::Layout& layout, const std::vector<std::string>& problems);
-  /// Empty where nothing was said of it.
+  /// Returns the error on a file; "" if there was none.
   [[nodiscard]] std::string with(const std::filesystem::path& file) const;
 
  private:
   std::map<std::string, std::string> problems_;
 };
 
-/// Why a cell has no number in the results. `problems` are those of collecting it. Paths are named
-/// from the folder of the run on, so that the same holes read the same in any folder.
+/// Returns why a cell has no number in the results. `problems` are the errors from collecting it.
+/// Paths are relative to the folder of the run, so that the text is the same in any folder.
 Hole hole_of(const std::filesystem::path& run, const run::Layout& layout, const run::CellName& name,
              const ProblemsByFile& problems);
 
-/// Without the folder of the run, wherever a text names a file in it.
+/// Removes the folder of the run from each path in a text.
 std::string below_run(std::string text, const std::filesystem::path& run);
 
-/// What an artefact says of the program that made it.
+/// Program that made an artefact.
 struct Build {
-  std::string version;    ///< and commit
-  std::string libraries;  ///< and compiler
+  std::string version;    ///< with commit
+  std::string libraries;  ///< with compiler
   std::string processor;
   bool operator<(const Build& other) const {
     return std::tie(version, libraries, processor) <
@@ -73,32 +73,32 @@ struct RecordInput {
   std::string digest;
 };
 
-/// What a run holds of one data set. Files are named from the folder of the run on, so that the
+/// Contents of a run for one dataset. File names are relative to the folder of the run, so that the
 /// same run gives the same page in any folder.
 struct DatasetContents {
   std::string name;
-  run::Grid grid = {};        ///< what is asked for, and what else the folder holds
+  run::Grid grid = {};        ///< requested cells, and other cells that the folder holds
   run::Results results = {};  ///< the cells that could be read
   std::vector<std::string> diagnosis_digests = {};  ///< of the contents of results.diagnoses
   std::vector<std::string> score_digests = {};      ///< of the contents of results.qualities
-  std::map<Build, std::size_t> builds = {};         ///< how many of the cells each has made
+  std::map<Build, std::size_t> builds = {};         ///< number of cells by build
   std::vector<Hole> holes = {};
   std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
-  std::vector<std::string> verdict = {};       ///< sentences; first its conditions
+  std::vector<std::string> verdict = {};       ///< sentences; the conditions come first
   std::vector<report::Recommendation> recommendations = {};  ///< by ratio
-  std::string records_digest = {};                           ///< empty where there are no records
-  std::string records_problem = {};  ///< why they cannot be read; empty where they can
+  std::string records_digest = {};                           ///< empty without records
+  std::string records_problem = {};  ///< why the records cannot be read; empty if they can
   std::vector<RecordInput> records = {};
 };
 
-/// Reads all cells of a data set, its records and the logs of what is missing. Nothing that is
-/// missing or damaged is an error: it is a hole.
-/// `leave_out` is what is out of date, as for run::Held.
+/// Reads all cells of a dataset, its records and the logs of missing cells. Missing or damaged
+/// files are not errors but missing cells (Hole). `leave_out` are files that are out of date, as
+/// for run::Held.
 DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& asked,
                              const std::vector<std::string>& leave_out,
                              const report::Published& published);
 
-/// "3 diagnoses and 1 score".
+/// Returns "3 diagnoses and 1 score".
 std::string counted_cells(std::size_t diagnoses, std::size_t scores);
 
 }  // namespace piae::page

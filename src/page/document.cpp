@@ -29,13 +29,13 @@ std::string in_base64(const std::string& bytes) {
   return text;
 }
 
-/// As a policy names what it allows.
+/// Returns the hash of an inline source in the syntax of a Content-Security-Policy.
 std::string source_hash(const std::string& text) {
   return "'sha256-" + in_base64(Sha256().update(text).finish()) + "'";
 }
 
-/// Browsers take the end of a line for a line feed, however it is written, before they compare the
-/// hash of a script.
+/// Reads a file to inline. Removes carriage returns, because browsers convert line ends to line
+/// feeds before they compare a script's hash.
 std::string read_inlined(const fs::path& file, const std::string& element) {
   std::string text = text::read_file(file);
   std::erase(text, '\r');

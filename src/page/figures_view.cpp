@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The files of a figure with this ending: NAME.svg, or NAME@PART.svg for each part.
+/// Returns the files of a figure with this ending: NAME.svg, or NAME@PART.svg for each part.
 std::vector<fs::path> files_of_figure(const fs::path& folder, const std::string& name,
                                       const std::string& ending) {
   std::vector<fs::path> files;
@@ -62,7 +62,7 @@ struct Reason {
   bool is_left_out = false;
 };
 
-/// What the stage `figures` has said in its log of figures that are not drawn, by name.
+/// Returns the reasons that the stage `figures` logged for figures that are not drawn, by name.
 std::map<std::string, Reason> reasons_in_log(const fs::path& run, const fs::path& log) {
   std::map<std::string, Reason> reasons;
   if (!fs::exists(log)) return reasons;
@@ -103,7 +103,7 @@ std::string id_of(const std::string& dataset, const std::string& name) {
   return anchor(dataset + "-" + name);
 }
 
-/// What the picture shows, for those who cannot see it. Its numbers are in the CSV file beside it.
+/// Describes the picture for people who cannot see it. The linked CSV file has the numbers.
 std::string described(const std::string& dataset, const FigureContents& figure,
                       const Picture& picture) {
   const std::string part = picture.part.empty() ? "" : ", " + picture.part;
@@ -118,7 +118,7 @@ Html picture_itself(const std::string& dataset, const FigureContents& figure,
                           {"alt", described(dataset, figure, picture)},
                           {"loading", "lazy"},
                           {"decoding", "async"}};
-    // So that nothing moves when it is there.
+    // Reserves the space, so that the page does not move when the picture loads.
     if (picture.height > 0) {
       attributes.push_back({"width", std::to_string(picture.width)});
       attributes.push_back({"height", std::to_string(picture.height)});
@@ -171,7 +171,7 @@ Html html_of_figure(const std::string& dataset, const FigureContents& figure) {
                      element("p", {{"class", "from"}}, "From " + dataset + "/" + figure.from));
 }
 
-/// A line for each reason, with all figures that are missing for it.
+/// Returns a line for each reason, with all figures that are missing for it.
 Html list_of_reasons(const std::vector<FigureContents>& figures, bool left_out) {
   std::vector<std::pair<std::string, std::vector<std::string>>> names_by_reason;
   for (const FigureContents& figure : figures) {

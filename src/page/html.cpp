@@ -10,7 +10,7 @@ namespace piae::page {
 
 namespace {
 
-/// After these a line ends, so that the file can be read and compared line by line.
+/// Elements that end a line, so that the file can be read and compared line by line.
 constexpr std::string_view on_lines_of_their_own[] = {
     "body", "dd",    "details", "div",   "dl",     "dt",     "figcaption", "figure", "footer",
     "h1",   "h2",    "h3",      "head",  "header", "img",    "li",         "link",   "main",
@@ -37,8 +37,8 @@ std::string percent_encoded(char c) {
   return fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
 }
 
-/// What in a data address would end it, be taken for a fragment or an escape, be dropped as the
-/// line feed is, or grow when HTML escapes it.
+/// True if a character would end a data address, start a fragment or an escape, be dropped like a
+/// line feed, or become longer when HTML escapes it.
 bool must_be_encoded(char c) {
   return std::string_view("%#\"&<>\n\r\t").find(c) != std::string_view::npos;
 }

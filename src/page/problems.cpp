@@ -22,11 +22,10 @@ namespace piae::page {
 
 namespace {
 
-/// So many reasons and logs of a group are shown; the others are counted.
+/// Number of reasons and logs that a group shows; the others are counted.
 constexpr std::size_t most_shown = 3;
 
-/// Values of which each is kept once, in the order in which they come. There may be as many as
-/// there are cells.
+/// Keeps each value once, in order of arrival. There may be as many values as cells.
 template <class T>
 class EachOnce {
  public:
@@ -42,7 +41,7 @@ std::string method_of(const Hole& hole) {
   return run::name_by(hole.name.method, hole.name.classifier);
 }
 
-/// What the holes of a group have in common. What is not begun has no method in common.
+/// Key of a group of missing cells. Cells that were not started are grouped without their method.
 using CommonOfHoles = std::tuple<HoleState, std::string, std::string>;
 CommonOfHoles common_of(const Hole& hole) {
   return {hole.state, hole.stage, hole.state == HoleState::not_begun ? "" : method_of(hole)};
@@ -85,10 +84,10 @@ std::size_t count_of(const std::vector<DatasetContents>& datasets, HoleState sta
 }
 
 struct StateWords {
-  const char* sign;  ///< so that neither colour nor reading is needed to find what is wrong
+  const char* sign;  ///< shows problems without colour or words
   const char* word;
 };
-/// By HoleState.
+/// Indexed by HoleState.
 constexpr std::array<StateWords, 5> words_of_states{{{"✖", "failed"},
                                                      {"✖", "refused"},
                                                      {"‖", "interrupted"},

@@ -13,9 +13,9 @@ namespace piae::page {
 struct HoleGroup {
   std::string dataset = {};
   HoleState state = HoleState::not_begun;
-  std::string stage = {};                 ///< the one that is not done
-  std::vector<std::string> methods = {};  ///< in the order of the grid, as run::name_by() has them
-  std::vector<std::string> ratios = {};   ///< of the diagnoses among them
+  std::string stage = {};                 ///< stage that is not done
+  std::vector<std::string> methods = {};  ///< in the order of the grid, named by run::name_by()
+  std::vector<std::string> ratios = {};   ///< ratios of the diagnoses
   std::vector<std::int64_t> seeds = {};   ///< ascending
   std::size_t diagnoses = 0;
   std::size_t scores = 0;
@@ -23,20 +23,20 @@ struct HoleGroup {
   std::vector<std::filesystem::path> logs = {};
 };
 
-/// The holes in groups: those that failed or are refused first, each method and stage a group of
-/// its own; what is not begun is one group for each data set.
+/// Returns the missing cells in groups, failed and refused ones first. Each method and stage is a
+/// group; cells that were not started are one group for each dataset.
 std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets);
 
-/// "failed", "refused", ...
+/// Returns "failed", "refused", ...
 std::string word_of(HoleState state);
 
-/// "vae and wgan-gp; 10:1 and 1:1; seeds 0 to 4": which cells they are.
+/// Returns the cells of a group: "vae and wgan-gp; 10:1 and 1:1; seeds 0 to 4".
 std::string cells_label(const HoleGroup& group);
 
-/// "3 of 20 cells are missing: 1 failed, 2 not begun"; or that all are there.
+/// Returns "3 of 20 cells are missing: 1 failed, 2 not begun", or that none is missing.
 std::string completeness(const std::vector<DatasetContents>& datasets);
 
-/// The first thing that a page shows: what is missing, and why; or that nothing is.
+/// Returns the top of a page: what is missing and why, or that nothing is.
 Html problems_html(const std::vector<DatasetContents>& datasets);
 
 }  // namespace piae::page

@@ -27,7 +27,7 @@ namespace {
 using Datasets = std::vector<DatasetContents>;
 using Figures = std::vector<std::vector<FigureContents>>;
 
-/// The values of all data sets, each once, in the order in which they come.
+/// Returns the values of all datasets, each once, in order of appearance.
 template <class T, class ValuesOf>
 std::vector<T> all_of(const Datasets& datasets, const ValuesOf& values_of) {
   std::vector<T> all;
@@ -56,7 +56,7 @@ std::vector<std::string> protocols_in(const DatasetContents& dataset) {
   return {to_string(dataset.results.diagnoses.front().protocol)};
 }
 
-/// In the order of Table 5.
+/// Returns the labels in the order of Table 5.
 std::vector<std::string> ratio_labels(const Datasets& datasets) {
   std::vector<std::string> labels;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
@@ -174,7 +174,7 @@ Html rest_of(const ReportContents& contents) {
                          file_link("run.html") + "."));
 }
 
-/// Of these figures instead of those of the contents.
+/// Returns the page with `figures` instead of the figures of `contents`.
 std::string whole_page(const ReportContents& contents, const Figures& figures, const Style& style) {
   return document("PIAE-DT on " + names_of(contents.datasets), style,
                   header_of(contents.datasets) +
@@ -182,7 +182,7 @@ std::string whole_page(const ReportContents& contents, const Figures& figures, c
                               results_and_figures(contents.datasets, figures) + rest_of(contents)));
 }
 
-/// All figures, without the files that the page may hold: what is left of a page without them.
+/// Returns all figures with empty files, to measure the size of the rest of the page.
 Figures without_attachments(Figures figures) {
   for (std::vector<FigureContents>& of_dataset : figures) {
     for (FigureContents& figure : of_dataset) {
@@ -197,8 +197,8 @@ Figures without_attachments(Figures figures) {
   return figures;
 }
 
-/// A section for each classifier, of which the first begins with the verdict, and which method to
-/// take.
+/// Returns a section for each classifier, the first with the verdict, and one with the recommended
+/// method.
 std::vector<report::Section> sections_of(const DatasetContents& contents) {
   std::vector<report::Section> sections =
       report::overview_sections(contents.rows, contents.grid.seeds.size());
@@ -208,7 +208,7 @@ std::vector<report::Section> sections_of(const DatasetContents& contents) {
   return sections;
 }
 
-/// A line for each of the first groups of missing cells; the page has all of them.
+/// Returns a line for each of the first groups of missing cells; the page has all groups.
 std::vector<std::string> lines_of_missing(const std::vector<DatasetContents>& datasets) {
   constexpr std::size_t most_groups = 12;
   const std::vector<HoleGroup> groups = groups_of(datasets);
@@ -285,8 +285,8 @@ std::string report_page(const ReportContents& contents, const Style& style) {
   for (std::vector<FigureContents>& of_dataset : figures) {
     for (FigureContents& figure : of_dataset) all.push_back(&figure);
   }
-  // What is linked in the place of a file is shorter than what stands around a file that is held,
-  // but for its address.
+  // Reserves space for addresses: except for its address, a link is shorter than the markup around
+  // an included file.
   constexpr std::size_t for_addresses = 100'000;
   const std::size_t taken = without + for_addresses;
   choose_attachments(all, taken < most_bytes_of_report ? most_bytes_of_report - taken : 0);

@@ -15,14 +15,14 @@ using Sections = std::vector<report::Section>;
 
 Html no_diagnosis() { return element("p", "No diagnosis is there yet."); }
 
-/// Tables beside each other, as far as there is room.
+/// Places tables next to each other if the window is wide enough.
 Html beside_each_other(const Sections& sections) {
   Html tables;
   for (const report::Section& section : sections) tables += element("div", html(section));
   return element("div", {{"class", "pair"}}, tables);
 }
 
-/// The first sentence stands out.
+/// Returns a paragraph for each sentence; the first stands out.
 Html sentences_view(const std::vector<std::string>& sentences) {
   Html view;
   for (const std::string& sentence : sentences) {

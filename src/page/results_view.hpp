@@ -5,22 +5,21 @@
 
 namespace piae::page {
 
-// What a page shows of the accuracies of one data set. All numbers are those of tables that report/
-// makes; these views place them.
+// Views of the accuracies of one dataset. All numbers come from tables of report/; these views
+// place them.
 
-/// What a data set shows first: the verdict in sentences, accuracies with the published ones beside
-/// them, and gains over none.
+/// Returns the verdict in sentences, accuracies next to the published ones, and gains over none.
 Html accuracy_view(const DatasetContents& contents);
 
-/// How many windows of each class are recognised, by method.
+/// Returns the share of recognised windows of each class, by method.
 Html recall_view(const DatasetContents& contents);
 
-/// Of each classifier what it decides over several windows of a record, and how many windows it may
-/// answer.
+/// Returns for each classifier its decisions over several windows of a record, and the share of
+/// windows that it can answer.
 Html decisions_view(const DatasetContents& contents);
 
-/// Which method to take, why, and what it gets wrong; what the most accurate of each effort
-/// reaches; what is recommended at each ratio; and what is recognised of each class.
+/// Returns the recommended method, its reason and its errors; then the accuracy of the best method
+/// of each effort, the recommendation at each ratio, and the recall of each class.
 Html recommendation_view(const DatasetContents& contents);
 
 }  // namespace piae::page

@@ -20,7 +20,7 @@ namespace piae::page {
 
 namespace {
 
-/// What a step was of: dataset/seed0/method, and below it ratio and classifier where it diagnosed.
+/// Place of a step, from its folder dataset/seed0/method; a diagnosis adds ratio and classifier.
 struct StepPlace {
   std::string dataset;
   std::string method;
@@ -59,7 +59,7 @@ std::vector<TimedStep> timed_steps(const std::vector<run::StepLog>& steps) {
   return timed;
 }
 
-/// Over the seeds; empty where no step of this place is done.
+/// Returns the mean over the seeds; nothing if no step of this place is done.
 std::optional<double> mean_time(const std::vector<TimedStep>& steps, const StepPlace& place) {
   double sum = 0;
   std::size_t count = 0;
@@ -76,7 +76,7 @@ text::Cell time_or_none(std::optional<double> seconds) {
   return report::labelled_cell(*seconds, duration_label(*seconds));
 }
 
-/// Without a sum where the time of a part is not known.
+/// Returns a row of costs. The sum is missing if the time of a part is unknown.
 text::Cells costs_of(const std::vector<TimedStep>& steps, const StepPlace& diagnosis,
                      double diagnosing_s) {
   text::Cells cells{report::method_label(diagnosis.method), diagnosis.classifier,
@@ -126,7 +126,7 @@ double elapsed_of(const Steps& steps) {
   return sum;
 }
 
-/// Of the steps that have it; empty where none has.
+/// Returns the sum over the steps that recorded it; nothing if none did.
 std::optional<double> processor_time_of(const Steps& steps) {
   std::optional<double> sum;
   for (const run::StepLog* step : steps) {
@@ -143,8 +143,8 @@ std::optional<double> memory_of(const Steps& steps) {
   return most;
 }
 
-/// Steps that are like each other. To train takes another time for each method; other stages take
-/// equally long for all.
+/// Steps of similar duration. Training time depends on the method; other stages take about equally
+/// long for all methods.
 struct StepGroup {
   std::string name;
   Steps steps;
@@ -217,7 +217,7 @@ report::Section slowest_steps(Steps steps) {
   return table_of_steps("The slowest steps", steps);
 }
 
-/// The run as a whole, in a sentence or two.
+/// Summarises the run in a sentence or two.
 std::string in_short(const std::vector<run::StepLog>& steps, const Steps& all) {
   double wall_s = 0;
   const std::vector<Session> sessions = sessions_of(steps);
@@ -235,7 +235,7 @@ std::string in_short(const std::vector<run::StepLog>& steps, const Steps& all) {
   return text;
 }
 
-/// Each step, or where that would be too long a page those that are not done.
+/// Lists all steps or, if the page would be too long, only those that are not done.
 Html list_of_steps(const Steps& all) {
   if (all.size() <= most_listed_steps) {
     return element("details", element("summary", fmt::format("All {} steps", all.size())) +

@@ -11,18 +11,18 @@
 
 namespace piae::page {
 
-/// The processor time that a method with a classifier takes of one seed: to train and to generate,
-/// and then to train the classifier and to ask it, with the most generated windows that the run has
-/// of this pair. The mean over the seeds whose logs are there and whose steps were done in one go.
-/// Empty where no diagnosis has left its log.
+/// Returns the processor time per seed of each method with a classifier: to train and generate,
+/// then to train and apply the classifier, with the most generated windows that the run has of the
+/// pair. Numbers are means over the seeds whose logs exist and whose steps finished without
+/// interruption. Returns nothing if no diagnosis left a log.
 std::optional<report::Section> cost_table(const std::vector<run::StepLog>& steps);
 
 inline constexpr std::size_t most_listed_steps = 5000;
 
-/// run.html: when the steps of a run ran, how much processor time and memory each stage took, and
-/// which steps were the slowest. Two runs of the same settings give different pages, which is why
-/// none of this stands in report.html. `steps` are ordered by begin. Of more than
-/// most_listed_steps, only those have a row of their own that are not done, as many as that.
+/// Returns run.html: when the steps ran, processor time and memory of each stage, and the slowest
+/// steps. Two runs of the same settings differ in these numbers, so report.html does not have them.
+/// `steps` are ordered by begin. Above most_listed_steps, lists only steps that are not done, and
+/// at most that many.
 std::string run_page(const std::vector<run::StepLog>& steps, const Style& style);
 
 }  // namespace piae::page

@@ -8,7 +8,7 @@ namespace piae::page {
 
 namespace {
 
-/// From so many rows on, a table can be filtered.
+/// Number of rows from which a table can be filtered.
 constexpr std::size_t long_table = 25;
 
 Html content_of_cell(const text::Cell& cell) {
@@ -66,7 +66,7 @@ Html html(const report::Section& section) {
   const std::string looks = table.rows().size() >= long_table ? "sortable long" : "sortable";
   const Html content =
       element("caption", section.title) + html_of_header(table.columns()) + element("tbody", rows);
-  // A box that scrolls can be reached by the keyboard.
+  // tabindex lets the keyboard reach a box that scrolls.
   Html all = element(
       "div",
       {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", section.title}},

@@ -5,9 +5,9 @@
 
 namespace piae::page {
 
-/// A table that scrolls in a box of its own where the window is too narrow for it, with its note
-/// below. A number says, when pointed at, what it came from. The page's script sorts a table by a
-/// click on a column's heading, and filters it where it is long. The findings are left to views.
+/// Returns a table with its note below. The table scrolls in its own box if the window is too
+/// narrow. Pointing at a number shows its source. The page's script sorts a table by a click on a
+/// heading, and filters long tables. Views place the findings.
 Html html(const report::Section& section);
 
 }  // namespace piae::page

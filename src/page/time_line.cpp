@@ -12,11 +12,11 @@ namespace piae::page {
 
 namespace {
 
-// In the units of the picture, which is scaled to the width that there is.
+// Units of the picture, which is scaled to the available width.
 constexpr double picture_width = 1000;
 constexpr double names_width = 90;
 constexpr double gap_width = 14;
-constexpr double beyond_last_tick = 60;  // its label stands to the right of it
+constexpr double beyond_last_tick = 60;  // room for its label
 constexpr double row_height = 26;
 constexpr double row_space = 6;
 constexpr double axis_height = 34;
@@ -26,7 +26,7 @@ constexpr double pause_s = 600;
 
 double end_of_step(const run::StepLog& step) { return *step.begun_s + step.elapsed_s; }
 
-/// Where moments lie in the picture.
+/// Maps moments to positions in the picture.
 class Axis {
  public:
   explicit Axis(std::vector<Session> sessions) : sessions_(std::move(sessions)) {
@@ -48,7 +48,7 @@ class Axis {
   [[nodiscard]] const std::vector<Session>& sessions() const { return sessions_; }
 
  private:
-  /// At least a second, so that a session of nothing can be drawn.
+  /// Returns at least a second, so that an empty session can be drawn.
   static double length_of(const Session& session) {
     return std::max(1.0, session.end_s - session.begin_s);
   }
@@ -59,7 +59,7 @@ class Axis {
 
 std::string position(double number) { return fmt::format("{:.6g}", std::round(10 * number) / 10); }
 
-/// The lane of each step, counted from 0: the first one that is free.
+/// Returns the lane of each step, counted from 0: the first free one.
 std::vector<std::size_t> lanes_of(const std::vector<const run::StepLog*>& steps) {
   std::vector<double> free_at_s;
   std::vector<std::size_t> lanes;
@@ -72,7 +72,7 @@ std::vector<std::size_t> lanes_of(const std::vector<const run::StepLog*>& steps)
   return lanes;
 }
 
-/// Steps that are drawn as one bar: of a lane, one after the other.
+/// Consecutive steps of a lane that are drawn as one bar.
 struct Bar {
   std::size_t lane = 0;
   const run::StepLog* first = nullptr;
@@ -80,9 +80,8 @@ struct Bar {
   std::size_t steps = 1;
 };
 
-/// A bar for each step. Where there are so many that most would lie on top of each other, those are
-/// one that follow each other in a lane, ended alike, and together are not wider than the eye tells
-/// apart.
+/// Returns a bar for each step. Merges bars of large runs, which would mostly overlap: steps that
+/// follow each other in a lane, have the same end, and together are too narrow to distinguish.
 std::vector<Bar> bars_of(const std::vector<const run::StepLog*>& steps, const Axis& axis) {
   constexpr std::size_t many = 2000;
   constexpr double widest_together = 2;
@@ -159,7 +158,8 @@ Html row_of_stage(const std::string& stage, const std::vector<run::StepLog>& ste
   return row;
 }
 
-/// The distance of ticks: about eight in all, at a round number of seconds, minutes or hours.
+/// Returns the distance between ticks: a round number of seconds, minutes or hours, about eight
+/// ticks in all.
 double tick_distance_s(const Axis& axis) {
   constexpr double wanted_units = 110;
   for (const double distance :
