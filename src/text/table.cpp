@@ -10,18 +10,18 @@ namespace piae::text {
 
 namespace {
 
-/// How many characters a text has on the screen: the bytes of UTF-8 that begin one.
+/// Returns the width of a text on the screen: the number of bytes that start a UTF-8 character.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// What a document shows of a table.
+/// The part of a table that a document shows.
 struct Lines {
   std::vector<std::vector<std::string>> rows;  ///< the first is the header
-  std::size_t left_columns = 0;                ///< how many columns of words come first
+  std::size_t left_columns = 0;                ///< number of text columns, which come first
 
-  /// For each column the width of its widest cell.
+  /// Returns for each column the width of its widest cell.
   [[nodiscard]] std::vector<std::size_t> widths() const {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const auto& cells : rows) {
@@ -56,17 +56,18 @@ Lines lines_of(const Table& table, std::string (*escape)(const std::string&)) {
   return lines;
 }
 
-/// Some columns, by their numbers.
+/// Numbers of some columns.
 using Columns = std::vector<std::size_t>;
 
-/// How wide a line of these columns is in Markdown, with the bars and spaces between them.
+/// Returns the width of a Markdown line of these columns, with bars and spaces.
 std::size_t width_in_markdown(const Columns& columns, const std::vector<std::size_t>& width) {
   std::size_t sum = 1;
   for (const std::size_t column : columns) sum += width[column] + 3;
   return sum;
 }
 
-/// The columns of numbers in so many groups of nearly equal count, each after those of words.
+/// Splits the number columns into groups of nearly equal size. Each group also has all text
+/// columns.
 std::vector<Columns> columns_in_groups(const Lines& lines, std::size_t groups) {
   const std::size_t numbers = lines.rows.front().size() - lines.left_columns;
   std::vector<Columns> all;
