@@ -9,7 +9,7 @@
 
 namespace piae::report {
 
-/// A row as accuracy_rows makes it, with these accuracies of the seeds from `first_seed` on.
+/// Returns a row like accuracy_rows(), with these accuracies for the seeds from `first_seed` on.
 inline AccuracyRow row_with(const std::string& method, const std::string& ratio,
                             const std::vector<double>& values, std::int64_t first_seed = 0) {
   AccuracyRow row;
@@ -25,8 +25,8 @@ inline AccuracyRow row_with(const std::string& method, const std::string& ratio,
   return row;
 }
 
-/// Three methods over five seeds. Against piae-dt, shift is better by 1 to 5 points at 10to1, and
-/// by -1, 2, 3, -4, 5 at 2to1.
+/// Three methods over five seeds. shift exceeds piae-dt by 1 to 5 points at 10to1, and by -1, 2, 3,
+/// -4, 5 at 2to1.
 inline std::vector<AccuracyRow> five_seeds() {
   return {row_with("none", "100to1", {70, 70, 70, 70, 70}),
           row_with("shift", "10to1", {81, 82, 83, 84, 85}),

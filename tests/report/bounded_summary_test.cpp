@@ -11,7 +11,7 @@ scoring::Summary of(const std::vector<double>& values, const Bounds& bounds = pe
   return summarise_within(bounds, values);
 }
 
-/// Of 40, 50, 60 the deviation is 10, and the interval's half 4.302653 * 10 / sqrt(3) = 24.8414.
+/// Values 40, 50, 60: deviation 10, half-width of the interval 4.302653 * 10 / sqrt(3) = 24.8414.
 TEST(BoundedSummary, IsTheSummaryWhereItsIntervalCanBe) {
   const scoring::Summary summary = of({40, 50, 60});
   EXPECT_EQ(summary.count, 3U);
@@ -30,7 +30,7 @@ TEST(BoundedSummary, EndsWhereNoMeanCanLie) {
   EXPECT_DOUBLE_EQ(of({-100, 0, 100}, differences_of_percents).interval->high, 100);
 }
 
-/// The interval of 30 and 35 would be from 0.7 to 64.3, that of 20 and 80 from -331 to 431.
+/// The intervals would be 0.7 to 64.3 for 30 and 35, and -331 to 431 for 20 and 80.
 TEST(BoundedSummary, HasNoIntervalOfFewerThanThree) {
   EXPECT_FALSE(of({30, 35}).interval);
   EXPECT_FALSE(of({20, 80}).interval);

@@ -30,7 +30,7 @@ std::vector<AccuracyRow> five_seeds_and_bar() {
   return rows;
 }
 
-/// Two methods by the paper's classifier and by another one.
+/// Two methods by the paper's classifier and by another classifier.
 std::vector<AccuracyRow> two_classifiers() {
   std::vector<AccuracyRow> rows = five_seeds_and_bar();
   for (const AccuracyRow& row : five_seeds()) {
@@ -70,7 +70,7 @@ TEST(ClassifierRows, OfTheBarAreTablesWhereThereIsMoreOfItOrNothingElse) {
   EXPECT_FALSE(blocks[1].bar);
 }
 
-// Gains, tests and ranks are within a classifier.
+// Gains, tests and ranks stay within a classifier.
 TEST(ClassifierRows, AreComparedWithThoseOfTheirOwnClassifier) {
   const std::vector<AccuracyRow> gains = gain_rows(two_classifiers());
   ASSERT_EQ(gains.size(), 8U);
@@ -85,7 +85,7 @@ TEST(ClassifierRows, AreComparedWithThoseOfTheirOwnClassifier) {
   EXPECT_THAT(ranks, HasSubstr("cwru,10to1,shift,wdcnn-spectrum,5,3.0000,"));
 }
 
-// Holm's correction of one classifier does not pay for the tests of another.
+// Holm's correction of one classifier does not count the tests of another.
 TEST(ClassifierRows, AreFamiliesOfTestsOfTheirOwn) {
   EXPECT_EQ(compare_by_classifier(two_classifiers(), "")[0].rows[0].p_holm,
             compare_methods(five_seeds(), "").rows[0].p_holm);
@@ -151,7 +151,7 @@ TEST(ClassifierRows, OfSeveralHaveTheNameOfTheirsInEachTitle) {
   }
   EXPECT_THAT(titles, testing::Contains("Mean accuracy on cwru, percent, by wdcnn"));
   EXPECT_THAT(titles, testing::Contains("Average ranks on cwru, by wdcnn-spectrum"));
-  // What the paper publishes is of its own classifier.
+  // The paper has numbers for its own classifier only.
   EXPECT_THAT(titles,
               testing::Contains("Accuracy of the methods on cwru, percent, by wdcnn-spectrum"));
   EXPECT_THAT(keys, testing::IsSupersetOf({"accuracy-means", "accuracy-means-wdcnn-spectrum"}));

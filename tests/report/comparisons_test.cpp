@@ -28,9 +28,9 @@ std::string text(const std::vector<AccuracyRow>& rows, const std::string& agains
   return markdown({"cwru", "cwru", {}, sections});
 }
 
-/// By hand. The interval's half is 2.776445 times the deviation / sqrt(5): deviations 1.5811,
-/// 3.5355 and, of the means 0, 2, 3, 0, 5, 2.1213. Of the 32 signs, 2, 20 and (of 8 without the
-/// zeros) 2 are as extreme. Holm: of two methods, the smaller p doubles.
+/// Worked by hand. Half-width of an interval: 2.776445 times the deviation / sqrt(5), with
+/// deviations 1.5811, 3.5355 and, for the means 0, 2, 3, 0, 5, 2.1213. Of the 32 sign patterns, 2,
+/// 20 and (of 8 without the zeros) 2 are as extreme. Holm: with two methods, the smaller p doubles.
 TEST(Comparisons, AreThoseWorkedByHand) {
   EXPECT_EQ(csv(five_seeds()),
             comparisons_header +
@@ -42,7 +42,7 @@ TEST(Comparisons, AreThoseWorkedByHand) {
                 "cwru,mean,shift,wdcnn,piae-dt,5,2.0000,-0.6340,4.6340,1.0000,0.25,0.25\n");
 }
 
-/// A ceiling is no method: of its difference nothing is asked, so no other pays for it.
+/// A ceiling is not a method: it gets no corrected p and does not raise the p of methods.
 TEST(Comparisons, CorrectNoMethodForACeiling) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("oracle", "10to1", {99, 98, 97, 96, 95}));
@@ -53,7 +53,7 @@ TEST(Comparisons, CorrectNoMethodForACeiling) {
   EXPECT_THAT(text(rows), HasSubstr("|         0.0625 † |\n"));
 }
 
-/// At 1to1 there is shift alone, which would otherwise move its mean by 10 points.
+/// Only shift has a row at 1to1, which would otherwise move its mean by 10 points.
 TEST(Comparisons, AverageOverTheRatiosThatBothHave) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("shift", "1to1", {99, 99, 99, 99, 99}));
@@ -92,7 +92,7 @@ TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
 }
 
-/// strike-twin is made for faults that are known in other conditions than they are tested in.
+/// strike-twin is made for faults known in other conditions than they are tested in.
 TEST(Comparisons, AreWithTheMethodThatIsMadeForTheDataset) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("strike-twin", "10to1", {1, 2, 3, 4, 5}));
@@ -144,7 +144,7 @@ std::vector<AccuracyRow> of_seeds(std::size_t seeds) {
           row_with("piae-dt", "10to1", std::vector<double>(seeds, 70))};
 }
 
-/// 2 / 2^6 is below 0.05, but not twice that; 2 * 2 / 2^7 is.
+/// 2 / 2^6 is below 0.05, but not twice as much; 2 * 2 / 2^7 is.
 TEST(Comparisons, SayWhereTheSeedsAreTooFew) {
   const auto caution = [](std::size_t seeds) {
     std::string all = text(of_seeds(seeds));
@@ -163,7 +163,7 @@ TEST(Comparisons, MarkThePValuesThatSoFewSeedsCannotMakeSmall) {
   EXPECT_THAT(text(of_seeds(7)), Not(HasSubstr("†")));
 }
 
-/// Two seeds have no interval; the largest that points can have ends at 100.
+/// Two seeds have no interval. The largest possible interval in points ends at 100.
 TEST(Comparisons, HaveNoIntervalThatCannotBe) {
   const std::string two = csv(of_seeds(2));
   EXPECT_THAT(two, HasSubstr("cwru,10to1,shift,wdcnn,piae-dt,2,10.0000,,,1.0000,0.5,1\n"));
@@ -173,7 +173,7 @@ TEST(Comparisons, HaveNoIntervalThatCannotBe) {
   EXPECT_THAT(csv(wide), HasSubstr(",3,66.6667,-76.7551,100.0000,"));
 }
 
-/// shift has seeds 0 to 4 at 10to1 and 3, 4 at 2to1; vae has seed 0 of 10to1 alone.
+/// shift has seeds 0 to 4 at 10to1, and 3 and 4 at 2to1; vae has only seed 0 of 10to1.
 std::vector<AccuracyRow> with_gaps() {
   return {row_with("none", "100to1", {70, 70, 70, 70, 70}),
           row_with("vae", "10to1", {60}),
@@ -183,9 +183,9 @@ std::vector<AccuracyRow> with_gaps() {
           row_with("shift", "2to1", {86, 95}, 3)};
 }
 
-/// Each pair has the seeds that both have: 86 - 90 and 95 - 90 at 2to1. The mean of the ratios is
-/// of both ratios at those two seeds: (84 + 86) / 2 - 85 and (85 + 95) / 2 - 85. One seed of vae
-/// cannot be tested, so the families are of two tests, none's and shift's.
+/// Each pair uses the seeds that both have: 86 - 90 and 95 - 90 at 2to1. The mean over both ratios
+/// uses the same two seeds: (84 + 86) / 2 - 85 and (85 + 95) / 2 - 85. One seed of vae cannot be
+/// tested, so each family has two tests, of none and shift.
 TEST(Comparisons, AreOfTheSeedsThatBothHave) {
   const std::string pairs = csv(with_gaps(), "piae-dt");
   EXPECT_THAT(pairs, HasSubstr("cwru,10to1,vae,wdcnn,piae-dt,1,-20.0000,,,,,\n"));
@@ -208,7 +208,7 @@ TEST(Comparisons, MarkTheMethodsWithFewerSeeds) {
   EXPECT_THAT(table, HasSubstr("| shift ‡ | 10:1 "));
 }
 
-/// A seed of a new ratio for one method takes nothing from what there was.
+/// A seed of a new ratio for one method does not change existing comparisons.
 TEST(Comparisons, LoseNothingByAPartThatIsAskedForLater) {
   std::vector<AccuracyRow> more = five_seeds();
   more.push_back(row_with("shift", "1to1", {99}));

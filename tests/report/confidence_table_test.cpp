@@ -13,7 +13,7 @@ using testing::Not;
 
 class ConfidenceTable : public StoredRun {
  protected:
-  /// `right` of 20 windows are recognised, with a score of 1; the others are told with one of 0.5.
+  /// `right` of 20 windows are recognised with a score of 1; the others get a wrong class with 0.5.
   [[nodiscard]] scoring::DiagnosisRecord knowing(const std::string& method,
                                                  const std::string& ratio, int generated, int seed,
                                                  int right) const {
@@ -24,7 +24,7 @@ class ConfidenceTable : public StoredRun {
     }
     return record;
   }
-  /// none is right in 12 and 14 windows; vae in 10 at 10to1, and in 19 at 2to1.
+  /// none recognises 12 and 14 windows; vae 10 at 10to1 and 19 at 2to1.
   void add_two_seeds() const {
     for (const int seed : {0, 1}) {
       add(knowing("none", "100to1", 0, seed, 12 + 2 * seed));
@@ -42,8 +42,9 @@ class ConfidenceTable : public StoredRun {
   }
 };
 
-/// What is wrong lies in a bin of its own, off by 0.5: 8 and 6 of 20 windows, 10, and 1. Of 12
-/// right ones no wrong one may be answered, as all of these have one score; of 19 it may.
+/// Wrong windows lie in their own bin, off by 0.5: 8 and 6 of 20 windows, 10, and 1. With 12
+/// correct windows no wrong window may be answered, because all wrong ones have the same score.
+/// With 19 the wrong window may be answered.
 TEST_F(ConfidenceTable, HasAllMethodsAndRatiosInItsCsv) {
   add_two_seeds();
   const auto rows = accuracy_rows(grid_, results(grid_), Published{});

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// With the overlap: none 70 and 80, vae 90 and 94 at 10to1. Without: 60 and 60, 90 and 90.
+/// With overlap: none 70 and 80, vae 90 and 94 at 10to1. Without: 60 and 60, 90 and 90.
 Contrast two_protocols() {
   const std::vector<AccuracyRow> with{row_with("none", "100to1", {70, 80}),
                                       row_with("vae", "10to1", {90, 94})};
@@ -25,8 +25,8 @@ const std::string contrast_header =
     "with,without,method,ratio,with_mean,with_std,without_mean,without_std,seeds,mean_difference,"
     "ci95_low,ci95_high,rank_biserial,p,p_holm\n";
 
-/// Of two values a, b the deviation is |a - b| / sqrt(2). Of four signs two are as extreme; of two,
-/// without the zero, both.
+/// The deviation of two values a, b is |a - b| / sqrt(2). Two of four sign patterns are as extreme;
+/// of the two without the zero, both are.
 TEST(Contrast, IsThatWorkedByHand) {
   EXPECT_EQ(
       contrast_csv(two_protocols()),
@@ -136,7 +136,7 @@ TEST_F(ContrastOfRuns, LeavesOutWhatIsOutOfDateOnEitherSide) {
   EXPECT_THAT(contrast_csv(read(part_, {"seed0/vae", "seed1/vae"})), Not(HasSubstr("vae")));
 }
 
-/// A score is not needed for it.
+/// A contrast does not need scores.
 TEST_F(ContrastOfRuns, NeedsNoScores) {
   std::filesystem::remove(layout_.score("vae", 1));
   EXPECT_EQ(read(all_).with.rows.size(), 4U);

@@ -19,14 +19,14 @@ const std::string decisions_header =
     "dataset,method,classifier,ratio,windows,seeds,decisions,mean,std,ci95_low,ci95_high,"
     "balanced_mean,balanced_std,balanced_ci95_low,balanced_ci95_high\n";
 
-/// 20 windows of class 1 and 10 of class 2, a record each.
+/// 20 windows of class 1 and 10 of class 2, one record each.
 class DecisionsTable : public StoredRun {
  protected:
   DecisionsTable() : labels_(30, 1), places_(one_record(30)) {
     std::fill_n(labels_.begin() + 20, 10, 2);
     std::fill_n(places_.record.begin() + 20, 10, 1);
   }
-  /// The first windows of class 1 are recognised, and all of class 2, by vote.
+  /// By vote, recognises the first `right` windows of class 1 and all of class 2.
   [[nodiscard]] scoring::DiagnosisRecord told(const std::string& method, const std::string& ratio,
                                               int generated, int seed, int right) const {
     scoring::DiagnosisRecord record = diagnosis(method, ratio, generated, seed, 0);
@@ -66,9 +66,10 @@ class DecisionsTable : public StoredRun {
   scoring::Places places_;
 };
 
-/// Over ten windows class 1 has two decisions, class 2 one. none recognises 0 and 12 windows of
-/// class 1: 10 and 22 of 30 in all, 1 and 2 of 3 decisions, and of the classes 0 and 1/2 beside 1.
-/// vae recognises 4, none of the decisions; and 18 at 2to1, both of them.
+/// Over ten windows, class 1 has two decisions and class 2 one. none recognises 0 and 12 windows of
+/// class 1: 10 and 22 of 30 windows and 1 and 2 of 3 decisions are correct; the recall of the
+/// classes is 0 and 1/2, and 1. vae recognises 4 windows and none of the decisions; at 2to1 18
+/// windows and both decisions.
 TEST_F(DecisionsTable, HasAllMethodsAndRatiosInItsCsv) {
   add_two_seeds();
   EXPECT_EQ(csv(), decisions_header +
@@ -117,7 +118,7 @@ TEST_F(DecisionsTable, IsOfEachClassifierWithTheBarBesideIt) {
   EXPECT_THAT(csv(), HasSubstr("cwru,none,nearest,100to1,10,2,3,100.0000,"));
 }
 
-/// Of seed 1 it is not known where the test windows were cut.
+/// For seed 1 the places of the test windows are unknown.
 TEST_F(DecisionsTable, MarksMeansOfFewerSeeds) {
   add_two_seeds();
   std::filesystem::remove(layout_.windows("A", 1));

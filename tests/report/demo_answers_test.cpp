@@ -46,7 +46,7 @@ class DemoAnswers : public testing::Test {
     cells_.recording = {.file = "recording.txt", .named = "outer", .correct = true};
   }
 
-  /// The accuracies of a method become others.
+  /// Replaces the accuracies of a method.
   static void change(std::vector<run::Diagnosis>& cells, const std::string& method,
                      const std::string& classifier, const std::vector<double>& percents) {
     std::erase_if(cells, [&](const run::Diagnosis& cell) {
@@ -71,7 +71,7 @@ TEST_F(DemoAnswers, ArePrintedInOneLineEach) {
             "   Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct.\n");
 }
 
-/// As an older demo may have left them.
+/// An older demo may have left such cells.
 TEST_F(DemoAnswers, LeaveOutCellsWithFewerGeneratedWindows) {
   const std::string before = text();
   add(cells_.same_speed, "shift", "wdcnn", {80, 80}, 45);

@@ -18,7 +18,7 @@ TEST(Seeds, AreListedInRanges) {
   EXPECT_EQ(seed_list({0, 1, 2, 5, 8, 9, 100}), "0 to 2, 5, 8, 9, 100");
 }
 
-/// A run of `none`, smote and vae at two ratios, as far as paragraphs on its gaps read it.
+/// A run of `none`, smote and vae at two ratios, with the fields that paragraphs on gaps read.
 class Gaps : public testing::Test {
  protected:
   void add(const std::string& method, const std::string& ratio,

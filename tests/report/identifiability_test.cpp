@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two windows of each of two classes; damping inferred 10 % too high, stiffness at random.
+/// Two windows of each of two classes. The inferred damping is 10 % too high, the stiffness random.
 Identification identification(std::int64_t seed) {
   Identification one{.method = "piae-dt", .seed = seed, .windows = {}, .inferred = {}};
   one.windows.info.name = "example";

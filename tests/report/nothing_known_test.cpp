@@ -33,7 +33,7 @@ TEST(NothingKnown, TheMostAccurateOfEachKindIsNamed) {
   EXPECT_EQ(most_accurate_without_known({}), "");
 }
 
-/// Nothing is a gain over `none` by a network then, which would have nothing to learn from.
+/// Without known fault windows a network cannot be trained on `none`, so gains do not exist.
 TEST(NothingKnown, IsTheVerdictOfARunWithoutKnownFaults) {
   run::Results results;
   run::Diagnosis& cell = results.diagnoses.emplace_back();
@@ -57,7 +57,7 @@ class RunWithoutKnownFaults : public StoredRun {
   }
 };
 
-/// `none` is there by one classifier, the methods by another.
+/// `none` has cells by one classifier, the methods by another.
 TEST_F(RunWithoutKnownFaults, HasTablesThatSaySo) {
   for (const int seed : {0, 1}) {
     add_without_known(diagnosis("oracle", "2to1", 145, seed, 19));

@@ -41,7 +41,7 @@ TEST(Groups, AreNeverEmpty) {
   EXPECT_THAT(groups[0].methods, ElementsAre("physics", "ae"));
 }
 
-/// What is said of a section: after its title, and before its note.
+/// Returns the words that a place adds to a section: after its title and before its note.
 std::string said_by(const Place& place) {
   const Section section = place.of({"key", "T", "N", text::Table({}, 0)});
   return section.title + "|" + section.note;
@@ -70,7 +70,7 @@ TEST(References, OfThePapersOwnDatasets) {
   EXPECT_EQ(hfhp.label(), "paper");
 }
 
-// A title is one line of at most 100 characters, so what is longer goes to the note.
+// A title is one line of at most 100 characters, so longer words go into the note.
 TEST(References, OfAStandInSaySo) {
   const PaperReference hit_sm("hit-sm");
   EXPECT_EQ(said_by(hit_sm.table(&PaperDataset::methods_table)),

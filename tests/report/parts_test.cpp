@@ -25,7 +25,7 @@ SweepOptions sweep_of(const std::string& points, const std::string& seeds) {
 
 class Parts : public StoredRun {
  protected:
-  /// A cell of strike-twin by `nearest`, `right` of 20 windows told.
+  /// Adds a cell of strike-twin by `nearest` that recognises `right` of 20 windows.
   void add_cell(const std::string& folder, const std::string& ratio, int seed, int right) const {
     save("diagnosis", record(ratio, seed, right),
          layout_.diagnosis(folder, ratio, seed, "nearest"));
@@ -34,7 +34,7 @@ class Parts : public StoredRun {
                                                 int right) const {
     return by("nearest", diagnosis("strike-twin", ratio, ratio == "1to1" ? 495 : 145, seed, right));
   }
-  /// The method tells 16, 17 and 18 windows, with its edges known 10, 12 and 14.
+  /// The method recognises 16, 17 and 18 windows; with known edges 10, 12 and 14.
   void add_three_seeds() const {
     for (const int seed : {0, 1, 2}) {
       add_cell("strike-twin", "1to1", seed, 16 + seed);
@@ -57,7 +57,7 @@ class Parts : public StoredRun {
   }
 };
 
-/// Differences of -30, -25 and -20 points have the deviation 5; Student's t of two degrees of
+/// Differences of -30, -25 and -20 points have the deviation 5. Student's t with two degrees of
 /// freedom is 4.30265, so the interval is 12.4207 to either side.
 TEST_F(Parts, AreComparedWithTheMethodSeedBySeed) {
   add_three_seeds();
@@ -107,7 +107,7 @@ TEST_F(Parts, ForPeopleAreATableForEachRatio) {
               AllOf(HasSubstr("| as in the grid ‡ |  82.5 ± 3.5 |"), HasSubstr("‡ marks what")));
 }
 
-/// Both faults become one kind of defect; so what is taken for the other fault is right by kind.
+/// Both faults become one fault type, so a window taken for the other fault is correct by type.
 TEST_F(Parts, SayWhatIsRightByKindWhereKindsAreTold) {
   for (const std::string folder : {"strike-twin", "sweep@strike-twin/edges-known"}) {
     scoring::DiagnosisRecord told = record("1to1", 0, folder == "strike-twin" ? 16 : 10);

@@ -14,9 +14,9 @@ using testing::Not;
 const std::string ranks_header =
     "dataset,ratio,method,classifier,seeds,average_rank,friedman_p,critical_difference\n";
 
-/// By hand. At 10to1 all five seeds have the same order: p is 1 / 6^4. At 2to1 shift is first in
-/// three: chi squared 7.6, F 12.667, and for (2, 8) degrees of freedom p is (1 + F / 4)^-4. The
-/// difference is 2.3437 sqrt(12 / 30).
+/// Worked by hand. At 10to1 all five seeds have the same order: p is 1 / 6^4. At 2to1 shift is
+/// first in three: chi squared 7.6, F 12.667, and for (2, 8) degrees of freedom p is (1 + F /
+/// 4)^-4. The critical difference is 2.3437 sqrt(12 / 30).
 TEST(Ranks, AreThoseWorkedByHand) {
   EXPECT_EQ(ranks_csv({rank_methods(five_seeds())}),
             ranks_header +
@@ -64,7 +64,7 @@ TEST(Ranks, LeaveOutAMethodRatherThanTheCellsOfTheOthers) {
   EXPECT_THAT(note(five_seeds()), Not(HasSubstr("left out")));
 }
 
-/// Four methods at seeds 1 to 4 are more than three at all five.
+/// Four methods at seeds 1 to 4 have more cells than three methods at all five.
 TEST(Ranks, AreOfTheSeedsThatMostMethodsHave) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("vae", "10to1", {60, 60, 60, 60}, 1));
@@ -73,7 +73,7 @@ TEST(Ranks, AreOfTheSeedsThatMostMethodsHave) {
   EXPECT_THAT(note(rows), HasSubstr("Ranks are of the cells that all of these methods have."));
 }
 
-/// Of two seeds and three methods p is at least 1 / 3!, and no ranks are further apart than 2.
+/// With two seeds and three methods p is at least 1 / 3!, and ranks differ by at most 2.
 TEST(Ranks, SayWhatSoFewSeedsCannotShow) {
   const std::vector<AccuracyRow> rows{row_with("none", "100to1", {70, 70}),
                                       row_with("shift", "10to1", {81, 82}),

@@ -63,7 +63,7 @@ TEST(Recommendation, OfTooFewSeedsIsTheBestAndSaysThatTheyCannotTell) {
   EXPECT_FALSE(of_six.can_tell);
   EXPECT_EQ(of_six.recommended().row.method, "vae");
   EXPECT_EQ(of_six.seeds_to_tell(), 7U);
-  // One seed is tested for nothing.
+  // One seed cannot be tested.
   const Recommendation of_one =
       recommended({row_with("none", "100to1", {70}), row_with("shift", "2to1", {90})});
   EXPECT_FALSE(of_one.can_tell);
@@ -82,7 +82,7 @@ TEST(Recommendation, OfEquallyAccurateOnesIsThatWhichTakesLeast) {
   EXPECT_EQ(of.best, 1U);
 }
 
-/// More tests at once would need more seeds; so of each effort the most accurate alone is asked.
+/// More tests would need more seeds, so only the most accurate of each effort is tested.
 TEST(Recommendation, AsksTheMostAccurateOfEachEffortAlone) {
   std::vector<AccuracyRow> rows = seven_seeds(worse);
   for (const char* const method : {"smote", "oversample", "resample"}) {
@@ -101,7 +101,7 @@ TEST(Recommendation, IsNeverACeiling) {
   EXPECT_EQ(main_recommendation({}), nullptr);
 }
 
-/// Of seven seeds and three pairs those that have no gap among them.
+/// Keeps the largest block without missing cells: two pairs at seven seeds, then three at six.
 TEST(Recommendation, ComparesWhatHasTheSameSeeds) {
   std::vector<AccuracyRow> rows = seven_seeds(worse);
   rows[2] = row_with("vae", "2to1", {100});
@@ -125,7 +125,7 @@ TEST(Recommendation, IsMadeAtEachRatioAndFirstAtThatWithTheMostWindows) {
   EXPECT_EQ(all[0].ratio, "10to1");
   EXPECT_EQ(all[0].recommended().row.method, "shift");
   EXPECT_EQ(main_recommendation(all)->ratio, "2to1");
-  // A ratio that few have is not the first.
+  // The main recommendation is not at a ratio that few pairs have.
   for (const char* const method : {"smote", "oversample", "resample", "randomise"}) {
     rows.push_back(row_with(method, "10to1", {60, 60, 60, 60, 60, 60, 60}));
   }
@@ -140,7 +140,7 @@ TEST(Recommendation, WithoutAnyGeneratedWindowIsOfNoneAlone) {
   EXPECT_EQ(of.recommended().row.method, "none");
 }
 
-/// Where no fault window is known, `none` is a rule that learns from healthy windows.
+/// Without known fault windows, `none` is a rule that learns from healthy windows.
 TEST(Recommendation, ComparesRulesWhereNothingIsKnown) {
   const Recommendation of =
       recommended({by_classifier_of("envelope-rule", row_with("none", "100to1", {80, 80})),

@@ -16,7 +16,7 @@ const std::string gets_wrong =
     "It takes 13.3 % of the fault windows for healthy (missed faults) and 10.0 % of the healthy "
     "ones for a fault (false alarms). Of the classes IR is recognised least, in 75.0 %.";
 
-/// Of 86 to 92 the mean is 89; of -10 to -4 it is -7, of -26 to -20 -23.
+/// Means: 89 for 86 to 92, -7 for -10 to -4, and -23 for -26 to -20.
 TEST(RecommendationSentences, SayThatWhatTakesLessIsWorse) {
   EXPECT_THAT(
       recommendation_sentences(recommended(seven_seeds(worse))),
@@ -28,8 +28,8 @@ TEST(RecommendationSentences, SayThatWhatTakesLessIsWorse) {
                   "It costs the training of a generator and of the classifier.", gets_wrong));
 }
 
-/// The differences 1, -2, 1, -2, 1, -2, -1: mean -4/7, deviation 1.512, and t with six degrees of
-/// freedom is 2.447: from -1.97 to 0.83.
+/// Differences 1, -2, 1, -2, 1, -2, -1: mean -4/7, deviation 1.512. t with six degrees of freedom
+/// is 2.447, so the interval is -1.97 to 0.83.
 TEST(RecommendationSentences, SayThatTheSimplerIsAsGood) {
   EXPECT_THAT(
       recommendation_sentences(recommended(seven_seeds(as_good))),
@@ -70,7 +70,8 @@ TEST(RecommendationSentences, SayThatNoneTakesLess) {
               testing::Contains("Nothing else was compared."));
 }
 
-/// Where no healthy window was tested, nothing is said of false alarms.
+/// The sentence leaves out false alarms if no healthy window was tested, and missed faults
+/// likewise.
 TEST(RecommendationSentences, SayNothingOfWhatWasNotTested) {
   Recommendation of = recommended(seven_seeds(worse));
   of.by_effort[of.taken].confusion = {3, {0, 0, 0, 0, 9, 1, 0, 0, 0}};

@@ -14,8 +14,8 @@ inline AccuracyRow by_classifier_of(const std::string& classifier, AccuracyRow r
   return row;
 }
 
-/// Seven seeds, so that two tests can tell: of all differences of one sign p is 2 / 2^7, and with
-/// Holm's correction for two 0.03125. vae is best; none is behind by 20 to 26 points.
+/// Seven seeds, enough for two tests: if all differences have one sign, p is 2 / 2^7, and 0.03125
+/// with Holm's correction for two. vae is best; none is 20 to 26 points behind.
 inline std::vector<AccuracyRow> seven_seeds(const std::vector<double>& of_shift) {
   return {row_with("none", "100to1", {70, 71, 72, 73, 74, 75, 76}),
           row_with("shift", "2to1", of_shift),
@@ -24,12 +24,12 @@ inline std::vector<AccuracyRow> seven_seeds(const std::vector<double>& of_shift)
 }
 /// 4 to 10 points behind.
 inline const std::vector<double> worse{86, 87, 88, 89, 90, 91, 92};
-/// Three times 1 point better, once 1 worse and three times 2. The ranks are 2.5 and 6: of the 128
-/// choices of signs 18 have a sum of ranks of at most 7.5, so p is 36 / 128.
+/// Three times 1 point better, once 1 worse and three times 2 worse. The ranks are 2.5 and 6. Of
+/// the 128 sign patterns 18 have a rank sum of at most 7.5, so p is 36 / 128.
 inline const std::vector<double> as_good{97, 94, 97, 94, 97, 94, 95};
 
-/// In each cell of these rows the same: of 10 healthy windows 9 are recognised; of 20 with a fault
-/// of the inner race 15, and 4 are taken for healthy; of 10 of the outer race all.
+/// Every cell of these rows recognises 9 of 10 healthy windows, 15 of 20 with an inner race fault
+/// (4 are taken for healthy), and all 10 with an outer race fault.
 inline run::Results results_of(const std::vector<AccuracyRow>& rows) {
   run::Results results;
   for (const AccuracyRow& row : rows) {
@@ -45,7 +45,7 @@ inline run::Results results_of(const std::vector<AccuracyRow>& rows) {
   return results;
 }
 
-/// At the ratio with the most generated windows.
+/// Returns the recommendation at the ratio with the most generated windows.
 inline Recommendation recommended(const std::vector<AccuracyRow>& rows) {
   return recommendations(rows, results_of(rows)).back();
 }

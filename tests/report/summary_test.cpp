@@ -24,10 +24,10 @@ using testing::SizeIs;
 
 class Summary : public StoredRun {
  protected:
-  /// Of the published tables nothing is shown, but they must be there.
+  /// The summary does not show published tables, but they must exist.
   Summary() { write_published_tables(folder_); }
 
-  /// Of these methods, which must have all cells, and of whatever else the run holds.
+  /// Summarises these methods, which must have all cells, and everything else that the run holds.
   [[nodiscard]] std::string summary_of(const std::string& methods) const {
     const auto [cells, results] =
         collect_held(layout_, grid(methods, "100to1 10to1 2to1"), run::Held(layout_));
@@ -36,7 +36,7 @@ class Summary : public StoredRun {
     return unwrapped(summary_text(cells, results, rows));
   }
 
-  /// The text with single spaces, so that a sentence is found wherever its lines are broken.
+  /// Returns the text with single spaces, so that line breaks do not hide a sentence.
   [[nodiscard]] static std::string unwrapped(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(80U)));
@@ -46,14 +46,14 @@ class Summary : public StoredRun {
     return all;
   }
 
-  /// 60, 65 and 65 %: three seeds, so that there is an interval.
+  /// 60, 65 and 65 %: three seeds, enough for an interval.
   void add_three_of_the_baseline() const {
     for (const auto& [seed, right] : {std::pair{0, 12}, {1, 13}, {2, 13}}) {
       add(diagnosis("none", "100to1", 0, seed, right));
     }
   }
 
-  /// `right` of 20 windows in all seeds at the ratio with the most generated windows.
+  /// Adds `right` of 20 windows for all seeds at the ratio with the most generated windows.
   void add_at_2to1(const std::string& method, int right) const {
     for (const int seed : {0, 1, 2}) {
       add(diagnosis(method, "10to1", 45, seed, 13));
@@ -159,7 +159,7 @@ TEST_F(Summary, JudgesNothingByOneOrTwoSeeds) {
                   numbers + "These are of two seeds, too few to tell an effect from chance."));
 }
 
-// One cell at another ratio does not turn the sentence into one about it alone.
+// One cell at another ratio does not become the subject of the sentence.
 TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
   add_three_of_the_baseline();
   for (const char* method : {"vae", "smote", "piae-dt"}) add_at_2to1(method, 19);
@@ -167,7 +167,7 @@ TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
   EXPECT_THAT(summary_of("none vae smote piae-dt"), HasSubstr("With 145 generated windows"));
 }
 
-/// Of 20 windows 15 are right, and all by the kind of defect.
+/// 15 of 20 windows are correct by class, all by fault type.
 TEST_F(Summary, SaysWhereFaultsAreKnownAndTestedAndHowOftenTheirKindIsRight) {
   for (const auto& [method, ratio, generated] :
        {std::tuple{"none", "100to1", 0}, {"vae", "10to1", 45}, {"vae", "2to1", 145}}) {

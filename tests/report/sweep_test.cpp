@@ -53,7 +53,7 @@ TEST(SweepPoints, ThatCannotBeAreRefused) {
 
 class SweepTables : public StoredRun {
  protected:
-  /// A cell of piae-dt, `right` of 20 windows told.
+  /// Adds a cell of piae-dt that recognises `right` of 20 windows.
   void add_cell(const std::string& folder, const std::string& ratio, int generated, int seed,
                 int right) {
     save("diagnosis", diagnosis("piae-dt", ratio, generated, seed, right),
@@ -90,7 +90,7 @@ class SweepTables : public StoredRun {
   const std::string centre_ = "batch=5 depth=3";
 };
 
-/// Of two values a, b the deviation is |a - b| / sqrt(2).
+/// The deviation of two values a, b is |a - b| / sqrt(2).
 TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
   add_cells({"1to1"});
   EXPECT_EQ(csv(options_of(points_, centre_)),
@@ -108,7 +108,7 @@ TEST_F(SweepTables, HaveAllThatTheRunHolds) {
   EXPECT_EQ(csv(options_of(points_, centre_, "2to1", "1")), all);
 }
 
-/// The cells of a centre are the grid's; at a seed at which nothing was moved they say nothing.
+/// The cells of a centre belong to the grid, so a seed without a changed setting does not count.
 TEST_F(SweepTables, HaveTheSeedsAtWhichASettingWasMoved) {
   add_cells({"1to1", "2to1"});
   add_cell("piae-dt", "1to1", 495, 2, 20);

@@ -40,7 +40,7 @@ class Tables : public StoredRun {
   }
 };
 
-/// Of two values a, b the deviation is |a - b| / sqrt(2).
+/// The deviation of two values a, b is |a - b| / sqrt(2).
 TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
   add_all();
   EXPECT_EQ(accuracy_csv(rows(grid_)), csv_header +
@@ -65,7 +65,7 @@ TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
             "cwru,vae,OR,fault_line_difference_db,2,1,0\n");
 }
 
-/// Paired by seed: 75 - 60 and 75 - 65; 85 - 60 and 95 - 65. Published: 91.2 - 61.8.
+/// Pairs by seed: 75 - 60 and 75 - 65; 85 - 60 and 95 - 65. Published: 91.2 - 61.8.
 TEST_F(Tables, OfGainsArePairedBySeed) {
   add_all();
   EXPECT_EQ(gains(grid_), csv_header +
@@ -84,8 +84,8 @@ TEST_F(Tables, OfTwoSeedsAreWrittenForATerminal) {
             "vae     2:1 (3.33:1)        145      2  90.00 ± 7.07              –   91.2\n");
 }
 
-/// Where speeds differ, and both faults are of the inner race: which of them it was taken for is
-/// wrong in 5 of 20 windows and in 1, which part is damaged in none.
+/// Speeds differ, and both faults are on the inner race: 5 of 20 windows and 1 are taken for the
+/// other fault, but no window for another damaged part.
 TEST_F(Tables, OfConditionsHaveTheKindOfDefectBesideTheClass) {
   for (const int seed : {0, 1}) {
     scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, seed, seed == 0 ? 15 : 19);
@@ -136,8 +136,8 @@ TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {
                               "|        | 2:1 (3.33:1) | +27.50 ± 3.54 | +29.40 |\n"));
 }
 
-/// Of 75, 75, 90 the deviation is 8.6603 and the interval's half 4.3027 / sqrt(3) of it; of 85, 95,
-/// 100 they are 7.6376 and 18.973, so that the interval would end at 112.31.
+/// Values 75, 75, 90 have the deviation 8.6603 and the half-width 4.3027 / sqrt(3) of it; 85, 95,
+/// 100 have 7.6376 and 18.973, so the interval would end at 112.31.
 TEST_F(Tables, OfThreeSeedsHaveIntervalsThatCanBe) {
   add_all();
   add(diagnosis("none", "100to1", 0, 2, 13));
@@ -160,7 +160,7 @@ TEST_F(Tables, OfThreeSeedsHaveIntervalsThatCanBe) {
                         "|        | 2:1 (3.33:1) | 93.33 ± 7.64 | [74.36, 100.00] | 91.20 |\n"));
 }
 
-/// vae has seed 2 at 10to1 alone, `none` has not; smote has one cell.
+/// vae has seed 2 only at 10to1, `none` does not have it, and smote has one cell.
 TEST_F(Tables, OfARunWithGapsSayWhatThereIs) {
   add_all();
   add(diagnosis("vae", "10to1", 45, 2, 18));
@@ -189,7 +189,7 @@ TEST_F(Tables, OfARunWithGapsSayWhatThereIs) {
   EXPECT_THAT(quality_csv(all, results), Not(HasSubstr("smote")));
 }
 
-/// The mean over the classes is one of each seed: of 0.5 and 1e-7, of 0.7 and 1e-7.
+/// The mean over the classes is taken for each seed: of 0.5 and 1e-7, and of 0.7 and 1e-7.
 TEST_F(Tables, OfQualityHaveAClassARowAndAMethodAColumn) {
   add_baseline();
   add_method("vae");
@@ -234,7 +234,7 @@ TEST_F(Tables, AreMadeOfOneSideOfTheGridToo) {
                          Not(HasSubstr("## Gain"))));
   EXPECT_EQ(quality_csv(grid("none", "100to1"), {}),
             "dataset,method,class,metric,seeds,mean,std\n");
-  // Asked for, but without a cell at these ratios.
+  // Requested, but without a cell at these ratios.
   EXPECT_THAT(
       markdown(document(grid("none vae", "100to1"))),
       AllOf(HasSubstr("Quality of the methods"), Not(HasSubstr("Accuracy of the methods"))));
@@ -336,7 +336,7 @@ TEST_F(TablesOfAnotherDataset, DoNotMentionThePapers) {
                           Not(HasSubstr("the paper's"))));
 }
 
-/// How often a character stands in a LaTeX text without a backslash before it.
+/// Counts a character in a LaTeX text without a backslash before it.
 std::size_t bare(const std::string& text, char c) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -349,7 +349,7 @@ std::size_t bare(const std::string& text, char c) {
   return found;
 }
 
-/// What LaTeX would stop at, or drop without a word. A row of a table is a line.
+/// Checks for text that LaTeX refuses or silently drops. A table row must be one line.
 void expect_sound_latex(const std::string& text) {
   EXPECT_EQ(bare(text, '{'), bare(text, '}'));
   std::istringstream lines(text);

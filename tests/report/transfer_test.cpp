@@ -1,4 +1,4 @@
-// What methods are worth in the mean over datasets.
+// Mean accuracy of methods over datasets.
 
 #include "report/transfer.hpp"
 
@@ -24,15 +24,15 @@ AccuracyRow row_by(const std::string& classifier, AccuracyRow row) {
   return row;
 }
 
-/// The rows of a dataset, which know its name.
+/// Returns the rows with the name of their dataset.
 DatasetRows dataset_of(const std::string& name, std::vector<AccuracyRow> rows) {
   for (AccuracyRow& row : rows) row.dataset = name;
   return {name, std::move(rows)};
 }
 
-/// Five seeds of two datasets. In the mean over them strike-twin has 80 at every seed, none 79, 78,
-/// 77, 76, 75 by its recorded input and 79 by another, shift 81, 78, 77, 76, 75, and none by
-/// nearest 81, 82, 77, 76, 75. vae has no recorded input.
+/// Five seeds of two datasets. The means over both are: strike-twin 80 at every seed; none 79, 78,
+/// 77, 76, 75 by its recorded input and 79 by another; shift 81, 78, 77, 76, 75; none by nearest
+/// 81, 82, 77, 76, 75. vae has no recorded input.
 std::vector<DatasetRows> two_datasets() {
   return {dataset_of(
               "a", {row_by("wdcnn", row_with("none", "100to1", {80, 76, 77, 70, 70})),
@@ -72,9 +72,9 @@ TEST(TransferGroup, AveragesOverTheDatasetsSeedBySeed) {
   EXPECT_NEAR(none.summary.interval->low, 77 - 1.963243, 1e-5);
 }
 
-/// By hand. Differences 1, 2, 3, 4, 5: of the 32 signs 2 are as extreme; -1, 2, 3, 4, 5: 4; -1, -2,
-/// 3, 4, 5: 10. Holm over these three, of which the ceiling is none: 3, 2 and 1 times the p. Halves
-/// of the intervals: 2.776445 times the deviations 1.581139, 2.302173, 3.114482 / sqrt(5).
+/// Worked by hand. Of the 32 sign patterns 2 are as extreme as 1, 2, 3, 4, 5; 4 as -1, 2, 3, 4, 5;
+/// and 10 as -1, -2, 3, 4, 5. Holm counts these three, without the ceiling: 3, 2 and 1 times p.
+/// Half-widths: 2.776445 times the deviations 1.581139, 2.302173, 3.114482 / sqrt(5).
 TEST(TransferGroup, ComparesAsWorkedByHand) {
   EXPECT_EQ(transfer_comparisons_csv(transfer_group(choices, two_datasets())),
             "group,ratio,method,classifier,minus,minus_classifier,seeds,mean_difference,ci95_low,"
@@ -131,7 +131,7 @@ TEST(TransferGroup, IsShownToPeople) {
   EXPECT_THAT(text, Not(HasSubstr("by kind")));
 }
 
-/// By kind 100 and 90 of every method on the two datasets: 95, but of none by wdcnn 100.
+/// By fault type every method has 100 and 90 on the datasets, mean 95; none by wdcnn has 100.
 TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
   std::vector<DatasetRows> datasets = two_datasets();
   datasets[0].kinds = datasets[0].rows;
@@ -209,7 +209,7 @@ TEST(TransferGroup, IsAtMost100Wide) {
   }
 }
 
-/// A run of two datasets: none by wdcnn and nearest, and smote by wdcnn, at two seeds.
+/// A run of two datasets at two seeds: none by wdcnn and nearest, and smote by wdcnn.
 class TransferOfARun : public StoredRun {
  protected:
   TransferOfARun() : StoredRun("one") {

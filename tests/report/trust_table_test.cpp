@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Kept classifiers of two seeds, with what they were said to be worth.
+/// Kept classifiers of two seeds with given numbers.
 class TrustTable : public StoredRun {
  protected:
   TrustTable() {
@@ -20,7 +20,7 @@ class TrustTable : public StoredRun {
     keep("none", "nearest", 1, trust({0.94, 0.97, 0.91}), 2.5);
   }
 
-  /// The accuracy, and the areas of two classes.
+  /// Accuracy, and areas of two classes.
   struct Worth {
     double accuracy;
     double inner;

@@ -1,4 +1,4 @@
-// Tables are as wide as a terminal, whatever a run holds.
+// Tables fit into a terminal, whatever a run holds.
 
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@
 namespace piae::report {
 namespace {
 
-/// How many characters a line has: the bytes of UTF-8 that begin one.
+/// Returns the number of characters of a line: bytes that start a UTF-8 character.
 std::size_t width_of(const std::string& line) {
   return static_cast<std::size_t>(
       std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
@@ -26,8 +26,8 @@ void expect_narrow(const std::string& text) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(width_of(line), 100U) << line;
 }
 
-/// All methods at all ratios, with numbers as wide as they can be: differences of two digits before
-/// the point, deviations as well, and quality from 1e-4 to 99.
+/// All methods at all ratios, with numbers as wide as possible: differences and deviations with two
+/// digits before the point, and quality from 1e-4 to 99.
 class FullGrid {
  public:
   FullGrid(const std::string& dataset, int seeds,
@@ -50,7 +50,7 @@ class FullGrid {
     }
   }
 
-  /// Without some cells of one method, so that there are gaps.
+  /// Removes cells of one method, to make gaps.
   void drop(const std::string& method, std::int64_t from_seed) {
     std::erase_if(results_.diagnoses, [&](const run::Diagnosis& cell) {
       return cell.method == method && cell.seed >= from_seed;
