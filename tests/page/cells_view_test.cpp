@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Diagnoses of two ratios, of so many seeds each; the accuracy of a seed is its last two digits.
+/// Diagnoses at two ratios. The accuracy of a seed is its last two digits.
 std::vector<DatasetContents> with_cells(std::int64_t seeds) {
   DatasetContents contents{.name = "cwru"};
   for (const char* ratio : {"10to1", "2to1"}) {

@@ -17,7 +17,7 @@ TEST(Document, HoldsStyleAndScriptAndForbidsEverythingElse) {
   EXPECT_THAT(page, HasSubstr("<title>a &lt; b</title>"));
   EXPECT_THAT(page, HasSubstr("<style>body{}</style>"));
   EXPECT_THAT(page, HasSubstr("<script>\"use strict\";</script>"));
-  // printf 'body{}' | openssl dgst -sha256 -binary | base64; the same of the script
+  // printf 'body{}' | openssl dgst -sha256 -binary | base64; likewise for the script
   EXPECT_THAT(page,
               HasSubstr("content=\"default-src 'none'; img-src data:; "
                         "style-src 'sha256-fJgEClQWV1hGkK4qHMO0KotTsVnMYMXTq7/suurGyUo='; "

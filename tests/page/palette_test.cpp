@@ -1,5 +1,5 @@
-// Contrast of the colours of pages by WCAG 2.1. Colours of series are those of Okabe and Ito
-// (2008), chosen by them to remain distinct with the usual colour blindnesses.
+// Contrast of the colours of pages by WCAG 2.1. The colours of series are from Okabe and Ito
+// (2008), who chose them to remain distinct with the usual colour blindnesses.
 
 #include <gmock/gmock.h>
 
@@ -37,7 +37,7 @@ double contrast(const Colour& a, const Colour& b) {
   return (light + 0.05) / (dark + 0.05);
 }
 
-/// The colours that a block of style.css names, after a text that comes before the block.
+/// Returns the colours of the block of style.css that follows `text`.
 Palette palette_after(const std::string& text) {
   const std::string css = bytes_of(source_folder + "/pipeline/report/style.css");
   const std::size_t begin = css.find(text);

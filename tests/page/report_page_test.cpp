@@ -38,7 +38,7 @@ class ReportPage : public StoredRun {
   fs::path write(const std::string& name, const std::string& content) const {
     return folder_.write("run/" + name, content);
   }
-  /// A log of a step that failed.
+  /// Adds the log of a failed step.
   void add_failed(const std::string& name, const std::string& line) const {
     write(name, "command\nstep: begun at 1\n" + line + "\nstep: exit 1 after 2.0 s\n");
   }
@@ -56,8 +56,8 @@ TEST_F(ReportPage, ShowsTheMeanOfEachCellBesideWhatIsPublished) {
                               "<span class=\"theirs\">paper 61.80</span>"));
 }
 
-/// The 20 windows of a seed follow each other in one record: of vae at 2to1 17 and 19 are
-/// recognised, by a score of 1 as all are told, so that both decisions over ten are right.
+/// The 20 windows of a seed follow each other in one record. vae at 2to1 recognises 17 and 19 with
+/// the same score of 1, so both decisions over ten windows are correct.
 TEST_F(ReportPage, ShowsDecisionsOverSeveralWindowsAndWhatMayBeAnswered) {
   for (const int seed : {0, 1}) {
     scoring::DiagnosisRecord record = diagnosis("vae", "2to1", 145, seed, seed == 0 ? 17 : 19);
@@ -93,13 +93,13 @@ TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
   // 85 - 60 and 95 - 65 points; published 91.2 - 61.8.
   EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +27.50 ± 3.54</span>"
                                 "<span class=\"theirs\">paper +29.40</span>"));
-  // With 95 - 65 points of a third seed there is an interval, from 21 to 36.
+  // A third seed with 95 - 65 points gives an interval, from 21 to 36.
   add(diagnosis("none", "100to1", 0, 2, 13));
   add(diagnosis("vae", "2to1", 145, 2, 19));
   EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">▲ +28.33 ± 2.89</span>"));
 }
 
-/// vae at 2to1: 90 %. What is wrong is taken for the outer race, so that no fault is missed.
+/// vae at 2to1: 90 %. Wrong windows are taken for the outer race, so no fault is missed.
 TEST_F(ReportPage, SaysWhichMethodToTake) {
   add_all();
   const std::string html = page();
@@ -142,7 +142,7 @@ TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
   EXPECT_THAT(html, HasSubstr("standard deviation over seeds, by wdcnn-spectrum"));
   EXPECT_THAT(html, HasSubstr("interval of its mean, by wdcnn-spectrum"));
   EXPECT_THAT(html, HasSubstr("<span class=\"ours\">○ +10.00 ± 0.00</span>"));
-  // vae has been begun by it, so its other ratio is missing.
+  // The classifier has a cell of vae, so the other ratio of vae is missing.
   EXPECT_THAT(html, HasSubstr("vae by wdcnn-spectrum; 2:1; seeds 0, 1"));
 }
 
@@ -176,8 +176,8 @@ TEST_F(ReportPage, NamesWhatIsMissingOnTopAndWhy) {
 TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
   add_baseline();
   add(diagnosis("vae", "10to1", 45, 1, 15));
-  // One seed: 75 %, and 75 - 65 points, paired with the same seed of none, which shows no effect
-  // yet.
+  // One seed: 75 %, and 75 - 65 points, paired with the same seed of none. One seed shows no
+  // effect.
   EXPECT_THAT(
       page(),
       HasSubstr("<span class=\"ours\">75.00</span><span class=\"theirs\">1 of 2 seeds</span>"));
@@ -192,10 +192,10 @@ TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_EQ(groups[0].state, HoleState::not_begun);
   EXPECT_EQ(cells_label(groups[0]), "none, vae and smote; 100:1 and 10:1; seeds 0 to 2");
-  // none and vae lack seed 2, smote all three; so do scores, which none has not.
+  // none and vae lack seed 2, smote all three. Scores lack the same seeds, but none has no scores.
   EXPECT_EQ(groups[0].diagnoses, 5U);
   EXPECT_EQ(groups[0].scores, 4U);
-  // What the folder holds besides, vae at 2to1, is shown all the same.
+  // Other cells in the folder, vae at 2to1, are shown, too.
   EXPECT_THAT(page(asked), HasSubstr("paper 91.20"));
 }
 
@@ -240,7 +240,7 @@ TEST_F(ReportPage, LeavesOutADataSetOfWhichOnlyAnotherQuestionWasAsked) {
   EXPECT_THAT(page(), AllOf(HasSubstr("cwru"), Not(HasSubstr("simulated"))));
 }
 
-/// No folder tells which ratios were asked for, so all are missing.
+/// No folder records the requested ratios, so all are missing.
 TEST_F(ReportPage, NamesADataSetOfWhichNoTrainingWasDone) {
   add_all();
   add_failed("hit-sm/seed0/vae/train.log", "train: hit-sm/seed0/C.h5: damaged");
@@ -255,7 +255,7 @@ TEST_F(ReportPage, NamesADataSetOfWhichNoTrainingWasDone) {
 TEST_F(ReportPage, HostileNamesStayText) {
   const std::string hostile = "<script>alert('1')</script>\" onload=\"x";
   add(diagnosis("none", "100to1", 0, 0, 12));
-  // A class of that name is refused, so that the name is not even shown.
+  // A class of this name is refused, so the page does not even show it.
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 1, 0, 12);
   record.info.classes[1].name = hostile;
   add(record);
@@ -266,7 +266,7 @@ TEST_F(ReportPage, HostileNamesStayText) {
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert('1')&lt;/script&gt;&quot; onload=&quot;x"));
   EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
-  // The one script of the page is its own, which is empty here.
+  // The only script of the page is its own, which is empty here.
   EXPECT_EQ(html.find("<script"), html.rfind("<script"));
 }
 
@@ -280,7 +280,7 @@ TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
   const fs::path elsewhere = folder_.path() / "another" / "place";
   fs::create_directories(elsewhere.parent_path());
   fs::copy(run_, elsewhere, fs::copy_options::recursive);
-  // Its steps ran there.
+  // The steps of the copy ran in the other folder.
   std::ofstream(elsewhere / "cwru/seed2/vae/train.log")
       << "command\nstep: begun at 1\ntrain: " << (elsewhere / "cwru/seed2/C.h5").string()
       << ": damaged\nstep: exit 1 after 2.0 s\n";
@@ -369,7 +369,7 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
   EXPECT_THAT(html, HasSubstr("<b>its numbers are there, but gnuplot has not drawn them</b>: "
                               "Fig. 15: "));
   EXPECT_THAT(html, HasSubstr("<b>make figures has not been run since its cells are there</b>: "));
-  // What the run was not to have is no problem.
+  // A figure that the run does not need is not a problem.
   EXPECT_THAT(html, HasSubstr("<p>Left out, as this run is without what they show</p>\n<ul><li>"
                               "<b>there is no sweep (make sweep)</b>: Fig. 19: "));
 }
@@ -377,11 +377,11 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
 TEST_F(ReportPage, RecallIsThatOfTheConfusionsSummedOverSeeds) {
   add_all();
   const std::string html = page();
-  // All windows are of class IR: 17 and 19 of 20 at 2to1 are recognised, 36 of 40; the others are
-  // taken for OR, which is a fault too.
+  // All windows are of class IR. At 2to1 17 and 19 of 20 are recognised, 36 of 40; the others are
+  // taken for OR, also a fault.
   EXPECT_THAT(html, HasSubstr("data-sort=\"90\" title=\"36 of 40 windows\">90.0</td>"));
   EXPECT_THAT(html, HasSubstr("data-sort=\"0\" title=\"0 of 40 windows\">0.0</td>"));
-  // none: 12 and 13 of 20, shaded since less than 80 % are recognised.
+  // none: 12 and 13 of 20, shaded because less than 80 % are recognised.
   EXPECT_THAT(
       html,
       HasSubstr("class=\"low-1 number\" data-sort=\"62.5\" title=\"25 of 40 windows\">62.5</td>"));
@@ -389,8 +389,8 @@ TEST_F(ReportPage, RecallIsThatOfTheConfusionsSummedOverSeeds) {
 
 TEST_F(ReportPage, CountsMissedFaultsAndFalseAlarms) {
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 20);
-  // Of 20 windows 4 are healthy, of which 1 is taken for a fault; of the 16 others 4 are taken for
-  // healthy.
+  // 4 of 20 windows are healthy, and 1 of them is taken for a fault. Of the 16 others 4 are taken
+  // for healthy.
   std::fill_n(record.labels.begin(), 4, 0);
   std::fill_n(record.predictions.begin(), 3, 0);
   std::fill_n(record.predictions.begin() + 4, 4, 0);
@@ -437,7 +437,7 @@ TEST_F(ReportPage, ReportMdHasATableWhereNothingWasGenerated) {
   EXPECT_THAT(text(), HasSubstr("| method |     100:1 |\n|--------|----------:|\n| none   | "));
 }
 
-/// Contents of a run of the paper's size, without a file.
+/// Returns contents of a run of the paper's size, without files.
 ReportContents large_run(std::size_t cells, std::size_t bytes_of_a_picture) {
   DatasetContents dataset{.name = "cwru"};
   dataset.grid = {

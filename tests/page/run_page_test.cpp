@@ -36,7 +36,7 @@ TEST(Durations, AreInAUnitThatFits) {
 TEST(TimeLine, PartsSessionsByLongPauses) {
   const auto sessions = sessions_of({step("a.log", 0, 100), step("b.log", 50, 10),
                                      step("c.log", 700, 5), step("d.log", 1306, 5)});
-  ASSERT_EQ(sessions.size(), 2U);  // from 100 to 700 are ten minutes, from 705 to 1306 are more
+  ASSERT_EQ(sessions.size(), 2U);  // 100 to 700 is ten minutes, 705 to 1306 is more
   EXPECT_EQ(sessions[0].end_s, 705);
   EXPECT_EQ(sessions[1].begin_s, 1306);
 }
@@ -51,7 +51,7 @@ TEST(TimeLine, StepsThatOverlapLieInLanes) {
   const std::string picture = time_line({step("x/train.log", 0, 85), step("y/train.log", 0, 42.5),
                                          step("z/train.log", 60, 25)})
                                   .text();
-  // 850 units for 85 s from x = 90, so that the last label has room; two lanes of 13 units.
+  // 850 units for 85 s from x = 90, to leave room for the last label; two lanes of 13 units.
   EXPECT_THAT(picture,
               HasSubstr("<rect class=\"bar done\" x=\"90\" y=\"0\" width=\"850\" height=\"11.7\">"
                         "<title>x/train.log, done after 85 s</title>"));
@@ -81,21 +81,21 @@ TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">train smote</th>"));
 }
 
-/// A cell of the table of costs.
+/// Returns a cell of the table of costs.
 std::string shown_time(double seconds) {
   return fmt::format("<td class=\"number\" data-sort=\"{}\">{}</td>", seconds,
                      duration_label(seconds));
 }
 
-/// A step that used so much processor time, and took twice as long.
+/// Returns a step that used this processor time and took twice as long.
 run::StepLog used(const std::string& file, double seconds, run::StepEnd end = run::StepEnd::done) {
   run::StepLog log = step(file, 0, 2 * seconds, end);
   log.processor_s = seconds;
   return log;
 }
 
-/// Of two seeds 40 and 60 s of training are 50, and 2 s of generating. Of the ratios that with the
-/// most windows counts; what is not done does not; and what a sweep took is no method's.
+/// Two seeds with 40 and 60 s of training give 50 s, with 2 s of generating. The ratio with the
+/// most windows counts. Unfinished steps and steps of a sweep do not.
 TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
   const std::string page =
       run_page({used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
@@ -129,7 +129,7 @@ TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
               Not(HasSubstr("that each method takes")));
 }
 
-/// Its log has what it took since then alone.
+/// The log of such a step has only the time since the step continued.
 TEST(RunPage, TakesNoTimeFromAStepThatWentOn) {
   run::StepLog second_half = used("cwru/seed0/vae/train.log", 30);
   second_half.went_on = true;
@@ -154,7 +154,7 @@ TEST(RunPage, ShowsWhyAStepFailed) {
   EXPECT_THAT(page, Not(HasSubstr("<b>diverged")));
 }
 
-/// With a row and a bar each, a hundred thousand steps would be a page of 60 MB.
+/// A row and a bar for each of a hundred thousand steps would make a page of 60 MB.
 TEST(RunPage, OfManyStepsListsThoseThatAreNotDone) {
   std::vector<run::StepLog> steps;
   for (int i = 0; i < 100'000; ++i) {
