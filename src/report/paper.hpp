@@ -111,8 +111,8 @@ struct MethodGroup {
   std::string key;   ///< short name: "methods"
   std::string name;  ///< "the methods"
   std::vector<std::string> methods;
-  bool are_models;           ///< true if the tables name methods by the number of their model
-  int PaperDataset::*table;  ///< the paper's table of the methods' accuracies
+  bool are_models;  ///< true if the tables name methods by the number of their model, if any
+  int PaperDataset::*table;           ///< the paper's table of the methods' accuracies
   int PaperDataset::*quality_figure;  ///< the paper's figure of the methods' MMD and RMSE
   int gain_figure;                    ///< the paper's figure of the methods' gains on both datasets
 };

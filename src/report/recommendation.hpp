@@ -13,12 +13,12 @@ namespace piae::report {
 /// Work before a window can be diagnosed, the least first. Of two methods that are equally good,
 /// the one with less effort is recommended.
 enum class Effort {
-  nothing,                  ///< known, or healthy, windows are enough
-  windows,                  ///< known or healthy windows are enough
-  classifier,               ///< windows are generated; nothing is trained
+  nothing,                  ///< known or healthy windows are enough
+  windows,                  ///< windows are generated; nothing is trained
+  classifier,               ///< the classifier is trained
   windows_and_classifier,   ///< windows are generated, and the classifier is trained
-  generator,                ///< windows are generated, and the classifier is trained
-  generator_and_classifier  ///< the generator is trained, the classifier is not
+  generator,                ///< the generator is trained, the classifier is not
+  generator_and_classifier  ///< both are trained
 };
 Effort effort_of(const std::string& method, const std::string& classifier);
 
