@@ -77,8 +77,8 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
 
 /// Returns each method that has a row, once, in the order of the rows.
 std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
-/// True if the rows have accuracies by fault type. Then all of them have, but gains do not, and the
-/// paper has no numbers for such a dataset.
+/// True if the rows have accuracies by fault type. Then all rows have them, but gains do not. The
+/// paper has no numbers for such datasets.
 bool tell_kinds(const std::vector<AccuracyRow>& rows);
 /// Returns the rows of one method.
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);

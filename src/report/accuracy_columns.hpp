@@ -8,9 +8,9 @@
 
 namespace piae::report {
 
-/// A number that tables show for each method and ratio. One entry in accuracy_columns.cpp adds the
-/// column to accuracy.csv, gains.csv, the table that `tabulate` prints, tables.md and tables.tex,
-/// and a line to each cell of the tables in report.html.
+/// A number that tables show for each method and ratio. One entry in accuracy_columns.cpp adds a
+/// column to accuracy.csv, gains.csv, tables.md, tables.tex and the table that `tabulate` prints.
+/// It also adds a line to each cell of the tables in report.html.
 struct AccuracyColumn {
   const char* field = "";     ///< its name in CSV; empty if CSV does not have the column
   const char* terminal = "";  ///< its heading in the terminal; empty if not shown there

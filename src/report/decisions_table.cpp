@@ -13,8 +13,8 @@ namespace piae::report {
 
 namespace {
 
-/// Decisions over a number of windows, by one classifier with the windows of one method at one
-/// ratio, over the seeds that have such decisions.
+/// Decisions of one method, classifier and ratio over a number of windows, over the seeds that have
+/// such decisions.
 struct DecisionRow {
   AccuracyRow row;
   std::size_t windows = 0;         ///< per decision

@@ -18,9 +18,8 @@ namespace piae::report {
 /// decision, `decisions` the mean over the seeds. Rows without decisions are left out.
 std::string decisions_csv(const std::vector<AccuracyRow>& rows, const run::Results& results);
 
-/// Returns a section with a method in each row, at its ratio with the most generated windows, and a
-/// number of windows in each column; the numbers are balanced accuracies. Returns no section
-/// without decisions.
+/// Returns a section of balanced accuracies, with a number of windows in each column. Each row is a
+/// method at its ratio with the most generated windows. Returns no section without decisions.
 std::vector<Section> decision_sections(const ClassifierRows& block, const run::Results& results);
 
 /// Returns why decisions over several windows are left out; "" if the run has them.

@@ -36,7 +36,7 @@ std::string marked_if(bool fewer_seeds, const std::string& label);
 
 /// A p up to this value is called significant.
 inline constexpr double significance_level = 0.05;
-/// Mark after a p that so few seeds cannot make that small, whatever the data.
+/// Mark after a p that cannot be that small, whatever the data, because the seeds are too few.
 inline constexpr const char* mark_of_large_p = "†";
 
 /// Returns "a", "a and b", "a, b and c".

@@ -20,7 +20,7 @@ struct PairedRow {
   std::vector<double> differences;    ///< difference at each of these seeds, in points
   scoring::PairedDifference paired;   ///< of the differences
   std::optional<double> p_holm = {};  ///< p after Holm's correction, see add_holm_p()
-  /// True if so few seeds can give a corrected p below 0.05; see add_holm_p().
+  /// True if the seeds are enough for a corrected p of at most 0.05; see add_holm_p().
   bool p_can_be_small = true;
 };
 

@@ -25,8 +25,8 @@ class Published {
   Published() = default;
   /// Reads table6-7-baseline.csv, table8-9-methods.csv and table10-11-ablation.csv of a folder.
   /// Throws Error(input_missing) if a file cannot be read. Throws Error(bad_input) with file and
-  /// line for an unknown header, model or ratio, a row of another length than the header, a value
-  /// that is not a percentage, and a value that contradicts another table.
+  /// line for an unknown header, model or ratio; for a row of another length than the header; and
+  /// for a value that is not a percentage or contradicts another table.
   explicit Published(const std::filesystem::path& folder);
 
   /// Returns nothing if the paper does not have the dataset, method or ratio.

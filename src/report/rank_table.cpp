@@ -38,8 +38,8 @@ std::optional<double> value_at(const std::vector<AccuracyRow>& rows, const std::
   return row == nullptr ? std::nullopt : row->at(cell.seed);
 }
 
-/// True if the seeds are too few for a small p of Friedman's test, even if every seed ranks the
-/// methods in the same order.
+/// True if p of Friedman's test cannot be small with so few seeds, even if all rank the methods
+/// alike.
 bool cannot_be_small(const scoring::AverageRanks& ranks) {
   const auto methods = static_cast<double>(ranks.average.size());
   return std::pow(std::tgamma(methods + 1), 1 - static_cast<double>(ranks.blocks)) >

@@ -17,8 +17,8 @@ struct Block {
 
 /// Returns the largest block without missing cells among those tried, or an empty block if none has
 /// enough rows and columns. `has` lists for each row its columns, ascending. Each row's columns are
-/// tried, with every row that has them all. A complete table gives all of it, and a row with few
-/// columns is dropped before it makes the others lose theirs.
+/// tried, with every row that has them all. A complete table stays whole. A row with few columns is
+/// dropped, so that the other rows keep theirs.
 Block largest_block(const std::vector<std::vector<std::size_t>>& has, std::size_t least_rows,
                     std::size_t least_columns);
 
@@ -35,7 +35,7 @@ std::vector<std::vector<std::size_t>> columns_of_rows(std::size_t rows, std::siz
   return all;
 }
 
-/// Name of a ratio's mean row: the mean over the ratios of a method.
+/// Ratio name of the mean over the ratios of a method.
 inline const std::string mean_of_ratios = "mean";
 
 /// Returns the mean over the ratios of one method, seed by seed. Uses the ratios and seeds without

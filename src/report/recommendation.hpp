@@ -43,7 +43,7 @@ struct Recommendation {
   std::vector<Candidate> by_effort = {};   ///< the most accurate of each effort, the least first
   std::size_t best = 0;                    ///< the most accurate of all, an index into by_effort
   std::size_t taken = 0;                   ///< index of the recommended candidate
-  bool can_tell = true;                    ///< whether so many seeds can show a difference
+  bool can_tell = true;                    ///< whether the seeds are enough to show a difference
   std::vector<signal::ClassInfo> classes = {};
 
   [[nodiscard]] const Candidate& most_accurate() const { return by_effort[best]; }
@@ -57,10 +57,10 @@ struct Recommendation {
 /// if nothing is generated. `none` is a candidate at each ratio; a ceiling never is.
 ///
 /// The best has the highest mean over the seeds; of equals, the one that takes least. The most
-/// accurate candidate of each lesser effort is compared with the best by Wilcoxon's signed-rank
-/// test over the seeds, with Holm's correction over these comparisons. The first candidate that is
-/// not significantly worse is recommended. If the seeds are too few to show any difference, the
-/// best is recommended.
+/// accurate candidate of each lesser effort is compared with the best: Wilcoxon's signed-rank test
+/// over the seeds, with Holm's correction over these comparisons. The first candidate that is not
+/// significantly worse is recommended. If the seeds are too few to show any difference, the best is
+/// recommended.
 ///
 /// `rows` are accuracy_rows() of `results`, of any classifiers. If cells are missing, uses the
 /// seeds and pairs of the largest block without missing cells.

@@ -12,9 +12,9 @@ namespace piae::report {
 
 /// Returns the first things to know of a run, at most 80 columns wide. For each classifier, a table
 /// has the mean accuracy of each method at each ratio. Then come the tested conditions and the
-/// accuracy by fault type (report/verdict.hpp), and a sentence on which methods help and by how
-/// many points at the ratio with the most generated windows. If the grid has the paper's method and
-/// it does not help, a second sentence explains why. Last comes the recommended method
+/// accuracy by fault type (report/verdict.hpp). A sentence reports which methods help, and by how
+/// many points, at the ratio with the most generated windows. If the grid has the paper's method
+/// and it does not help, a second sentence explains why. Last comes the recommended method
 /// (report/recommendation.hpp). All numbers come from the run. `rows` are accuracy_rows() of
 /// `results`.
 std::string summary_text(const run::Grid& grid, const run::Results& results,

@@ -98,8 +98,8 @@ struct TransferGroup {
 };
 
 /// Returns for each seed the mean over the rows, which belong to one method and classifier but
-/// different datasets. Throws Error(bad_input) if their seeds differ, because each seed's mean
-/// would then cover other datasets.
+/// different datasets. Throws Error(bad_input) if their seeds differ, because the means of
+/// different seeds would then cover different datasets.
 AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows);
 
 /// All rows of a dataset at one ratio, and at 100to1 for `none`.
@@ -132,8 +132,8 @@ struct TransferOptions {
 void bind(const cli::Options& command, TransferOptions& options);
 
 /// Reads the cells from the folder of a run, such as results/paper. Throws Error(usage) as
-/// run::resolve() and parse_input_choice() do, and for a method with two inputs, a ratio that
-/// generates nothing, and a recorded input that is not among the classifiers. Throws Error as
+/// run::resolve() and parse_input_choice() do, for a method with two inputs, for a ratio that
+/// generates nothing, and if a recorded input is not among the classifiers. Throws Error as
 /// run::require_all() for missing or refused cells, and Error(bad_input) if the datasets were split
 /// by different protocols.
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options);
