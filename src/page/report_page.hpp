@@ -26,8 +26,8 @@ ReportContents read_report(const std::filesystem::path& run, const AskedCells& a
 inline constexpr std::size_t most_bytes_of_report = 15'000'000;
 
 /// Returns report.html. The same cells and figures give the same bytes in any folder, however often
-/// the run was interrupted, because the page has neither times nor hosts nor folders. If its tables
-/// fit into most_bytes_of_report, the page does; files that do not fit are linked.
+/// the run was interrupted: the page has neither times nor hosts nor folders. If its tables fit
+/// into most_bytes_of_report, the page does; files that do not fit are linked.
 std::string report_page(const ReportContents& contents, const Style& style);
 
 /// Returns "cwru and hit-sm".
