@@ -24,8 +24,8 @@ struct CsvLine {
 };
 
 /// Reads all lines of a file except comments (#) and empty lines. The first line is the header.
-/// Does not support quoted fields. Throws Error(input_missing) if the file cannot be read, and
-/// Error(bad_input) if no line follows the header or a line has another number of fields than the
+/// Does not support quoted fields. Throws Error(input_missing) if the file cannot be read. Throws
+/// Error(bad_input) if no line follows the header, or a line has another number of fields than the
 /// header.
 std::vector<CsvLine> read_csv(const std::filesystem::path& path);
 
