@@ -28,8 +28,8 @@ inline const std::vector<double> worse{86, 87, 88, 89, 90, 91, 92};
 /// the 128 sign patterns 18 have a rank sum of at most 7.5, so p is 36 / 128.
 inline const std::vector<double> as_good{97, 94, 97, 94, 97, 94, 95};
 
-/// Every cell of these rows recognises 9 of 10 healthy windows, 15 of 20 with an inner race fault
-/// (4 are taken for healthy), and all 10 with an outer race fault.
+/// Every cell recognises 9 of 10 healthy windows, 15 of 20 inner race windows (4 are taken for
+/// healthy), and all 10 outer race windows.
 inline run::Results results_of(const std::vector<AccuracyRow>& rows) {
   run::Results results;
   for (const AccuracyRow& row : rows) {
