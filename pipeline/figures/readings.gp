@@ -1,4 +1,4 @@
-# Draws readings.csv of `make readings`: dataset,reading,quantity,ratio,seeds,mean,std. One row for each interpretation,
+# Draws a table, readings.csv of `make readings`: dataset,reading,quantity,ratio,seeds,mean,std. One row for each interpretation,
 # one panel for each quantity.
 # height: 112 + words(words_reading) * 17
 all_panels = ""

@@ -1,4 +1,4 @@
-# Draws transfer@GROUP.csv of `make transfer`:
+# Draws a table, transfer@GROUP.csv of `make transfer`:
 # dataset,speed_ratio,method,role,classifier,recorded,best,ratio,seed,accuracy,std,ci95_low,ci95_high,... Each data set
 # at the left, by tested speed if the speed changes; their mean at the right. One colour and mark for each method, at
 # its recorded input.

@@ -13,8 +13,12 @@ void expect_orders(const Geometry& geometry, const Orders& printed) {
   const FaultFrequencies f = fault_frequencies(geometry, 60);
   EXPECT_NEAR(f.bpfo_hz, printed.bpfo, 0.01 * printed.bpfo);
   EXPECT_NEAR(f.bpfi_hz, printed.bpfi, 0.01 * printed.bpfi);
-  if (printed.bsf) EXPECT_NEAR(f.bsf_hz, *printed.bsf, 0.01 * *printed.bsf);
-  if (printed.ftf) EXPECT_NEAR(f.cage_hz, *printed.ftf, 0.01 * *printed.ftf);
+  if (printed.bsf) {
+    EXPECT_NEAR(f.bsf_hz, *printed.bsf, 0.01 * *printed.bsf);
+  }
+  if (printed.ftf) {
+    EXPECT_NEAR(f.cage_hz, *printed.ftf, 0.01 * *printed.ftf);
+  }
 }
 
 /// The drive end of CWRU, as its page prints it. The printed rolling-element order is twice the

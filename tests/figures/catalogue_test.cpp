@@ -26,7 +26,7 @@ bool is_no_figure(const fs::path& script) {
   std::string text(300, ' ');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   return text.find("Loaded by") != std::string::npos ||
-         text.find("have in common") != std::string::npos ||
+         text.find("Shared by all") != std::string::npos ||
          text.find("# Draws a table") != std::string::npos;
 }
 
