@@ -1,5 +1,4 @@
-# Compiles each of HEADERS alone, without writing code. STAMPS/<header>.ok records success; else <header>.log has the
-# errors.
+# Compiles each of HEADERS alone. STAMPS/<header>.ok records success; else <header>.log has the errors.
 
 stamps := $(HEADERS:%=$(STAMPS)/%.ok)
 .PHONY: all
