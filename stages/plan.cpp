@@ -10,7 +10,6 @@
 #include "plan/printed.hpp"
 
 using namespace piae;
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -73,6 +73,37 @@ test_white_space_at_the_end_of_a_line_is_found() {
   expect_finding '^src/base/error.hpp:[0-9]+: ends with white space' spaces
 }
 
+test_a_link_to_nothing_and_an_unknown_target_are_found() {
+  copy_of_project
+  expect_clean pages
+  echo '[gone](docs/nowhere.md)' >>SECURITY.md
+  expect_finding '^SECURITY.md:[0-9]+: links to docs/nowhere.md, which is not there' pages
+  sed -i '$d' SECURITY.md
+  echo '[gone](docs/method.md#nothing)' >>SECURITY.md
+  expect_finding '^SECURITY.md:[0-9]+: links to docs/method.md#nothing, but docs/method.md has no such heading' pages
+  sed -i '$d' SECURITY.md
+  printf '\n    make nonsense\n' >>SECURITY.md
+  expect_finding '^SECURITY.md:[0-9]+: make has no target nonsense' pages
+}
+
+test_a_page_that_is_too_long_is_found() {
+  copy_of_project
+  printf 'word %.0s' {1..1300} >>SECURITY.md
+  expect_finding '^SECURITY.md:1: has [0-9]+ words; 700 at most' pages
+}
+
+test_awkward_comments_are_found_and_names_in_code_are_not() {
+  copy_of_project
+  expect_clean english src/base/error.hpp SECURITY.md
+  echo '/// Of a WDCNN alone.' >>src/base/error.hpp
+  expect_finding '^src/base/error.hpp:[0-9]+: "Of a WDCNN alone."; write: start with a verb or a noun$' english src/base/error.hpp
+  sed -i '$d' src/base/error.hpp
+  echo 'int beside; // `beside` has a name' >>src/base/error.hpp
+  expect_clean english src/base/error.hpp
+  echo 'A log stands beside it.' >>SECURITY.md
+  expect_finding '^SECURITY.md:[0-9]+: "A log stands beside it."; write: next to, in addition to$' english SECURITY.md
+}
+
 test_a_torch_header_elsewhere_is_found() {
   copy_of_project
   expect_clean torch
