@@ -98,6 +98,7 @@ test_awkward_comments_are_found_and_names_in_code_are_not() {
   echo '/// Of a WDCNN alone.' >>src/base/error.hpp
   expect_finding '^src/base/error.hpp:[0-9]+: "Of a WDCNN alone."; write: start with a verb or a noun$' english src/base/error.hpp
   sed -i '$d' src/base/error.hpp
+  # shellcheck disable=SC2016 # a name in code
   echo 'int beside; // `beside` has a name' >>src/base/error.hpp
   expect_clean english src/base/error.hpp
   echo 'A log stands beside it.' >>SECURITY.md
