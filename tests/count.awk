@@ -18,7 +18,7 @@ function plain(text) {
   return text
 }
 
-# What ctest says of a whole room adds to the room's own report only where that is missing.
+# Uses the report of ctest on a whole room only if the report of the room itself is missing.
 function is_known(name,    room) {
   room = substr(name, 6)
   return name ~ /^room\./ && (status == "fail" ? room_failed[room] : room_passed[room])

@@ -130,7 +130,7 @@ TEST(ShownTable, HasTheLowestAndTheHighestAccuracyOfEachCell) {
   EXPECT_THAT(bytes_of(tiny / "run/tiny/tables.tex"), HasSubstr("{tab:tiny-seed-range}"));
 }
 
-// Of one seed the lowest accuracy is the mean.
+// With one seed the lowest accuracy is the mean.
 TEST(ShownColumn, IsInEveryTableOfAccuracies) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
