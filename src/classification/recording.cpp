@@ -102,7 +102,7 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
                    std::back_inserter(windows.samples),
                    [](double sample) { return static_cast<float>(sample); });
     windows.first_sample.push_back(static_cast<std::int64_t>(first));
-    windows.labels.push_back(trained.healthy_label());  // placeholder, not known yet
+    windows.labels.push_back(trained.healthy_label());  // any label: classifiers do not read it
     if (signal::is_constant(windows.window(windows.size() - 1))) {
       const double from_s = static_cast<double>(first) / trained.sample_rate_hz;
       throw Error(Exit::bad_input,

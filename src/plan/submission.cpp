@@ -64,18 +64,23 @@ std::vector<Submission::Ended> ended_of(const Submission& submission) {
   return ended;
 }
 
-/// Returns the folders of the runs in the lists of jobs: results/try, results/try-blocked.
+/// Returns the folder of the run that was submitted and those of other runs that its lists name:
+/// results/try and results/try-blocked.
 std::set<fs::path> runs_of(const fs::path& submission) {
-  std::set<fs::path> runs;
+  const fs::path named = (submission / "").parent_path();  // without a slash at its end
+  const fs::path run = named.parent_path().parent_path();
+  const fs::path results = run.parent_path();
+  std::set<fs::path> runs{run};
   for (const fs::directory_entry& list : fs::directory_iterator(submission)) {
     const std::string name = list.path().filename().string();
     if (name != "records" && !name.starts_with("cells")) continue;
     if (list.path().extension() == ".log") continue;
-    for (const fs::path file : lines_of(list.path())) {
-      auto part = file.begin();
-      if (std::distance(part, file.end()) > 2) runs.insert(*part / *std::next(part));
+    for (const std::string& file : lines_of(list.path())) {
+      const Words parts = fields_of(file, '/');  // results/RUN/DATASET/...
+      if (parts.size() > 2 && parts[0] == results.filename()) runs.insert(results / parts[1]);
     }
   }
+  std::erase_if(runs, [](const fs::path& folder) { return !fs::is_directory(folder); });
   return runs;
 }
 

@@ -178,16 +178,20 @@ TEST(Submissions, SayWhatTheyHaveSpent) {
   const Folder folder;
   const fs::path submission = folder.path() / "results/t/.jobs/1";
   fs::create_directories(submission);
-  const auto write = [&](const std::string& name, const std::string& text) {
-    folder.write("results/t/" + name, text);
-  };
-  write(".jobs/1/choice", "all\n");
-  const std::string cell = (folder.path() / "results/t/real/seed0/A.h5").string();
-  write(".jobs/1/cells.0", cell + '\n');
-  write("old.log", "train\nstep: begun at 1.0\nstep: exit 0 after 1.0 s\n");
-  write("new.log", "train\nstep: begun at 99999999999.0\nstep: exit 0 after 1.0 s\n");
-  write("failed.log", "train\nstep: begun at 99999999999.0\nstep: exit 65 after 1.0 s\n");
+  fs::create_directories(folder.path() / "results/t-blocked");
+  const std::string done = "train\nstep: begun at 99999999999.0\nstep: exit 0 after 1.0 s\n";
+  folder.write("results/t/.jobs/1/choice", "contrast\n");
+  folder.write("results/t/old.log", "train\nstep: begun at 1.0\nstep: exit 0 after 1.0 s\n");
+  folder.write("results/t/new.log", done);
+  folder.write("results/t/failed.log",
+               "train\nstep: begun at 99999999999.0\nstep: exit 65 after 1.0 s\n");
+  folder.write("results/t-blocked/new.log", done);
+  // A submission of tables alone has no lists.
   EXPECT_THAT(spent_by_submission(submission), StartsWith("spent: 1 steps in 0 jobs; "));
+  folder.write("results/t/.jobs/1/cells.0", "results/t/a/b.h5\nresults/t-blocked/a/b.h5\n");
+  folder.write("results/t/.jobs/1/cells.1", "results/never-made/a/b.h5\n");
+  EXPECT_THAT(spent_by_submission(submission), StartsWith("spent: 2 steps in 0 jobs; "));
+  EXPECT_THAT(spent_by_submission(submission / ""), StartsWith("spent: 2 steps in 0 jobs; "));
   EXPECT_THROW(spent_by_submission(folder.path()), Error);
 }
 
