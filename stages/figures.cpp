@@ -9,7 +9,7 @@
 #include "figures/catalogue.hpp"
 #include "figures/files.hpp"
 #include "report/gaps.hpp"
-#include "run/begun.hpp"
+#include "run/started.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -34,10 +34,10 @@ bool save(figures::Source& source, const figures::Figure& figure) {
   return false;
 }
 
-run::Grid asked_cells(const run::Layout& layout, const run::GridOptions& options) {
+run::Grid requested_cells(const run::Layout& layout, const run::GridOptions& options) {
   const bool nothing = options.methods.empty() && options.ratios.empty() && options.seeds.empty() &&
                        options.classifiers.empty();
-  if (!nothing) return resolve_begun(layout, options);
+  if (!nothing) return resolve_started(layout, options);
   return {.dataset = options.dataset, .scored = {}, .combinations = {}, .seeds = {}};
 }
 
@@ -58,14 +58,14 @@ int main(int argc, char** argv) {
   fs::path published_folder;
   std::vector<std::string> leave_out;
   stage.options().add("--dataset", options.dataset, "Dataset, such as cwru").required();
-  run::bind_begun_cells(stage.options(), options);
+  run::bind_started_cells(stage.options(), options);
   run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   return stage.run(argc, argv, [&] {
     const run::Layout layout(run_folder, options.dataset);
-    figures::Source source(layout, asked_cells(layout, options),
+    figures::Source source(layout, requested_cells(layout, options),
                            report::Published(published_folder), leave_out);
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);

@@ -55,17 +55,19 @@ int main(int argc, char** argv) {
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {
-    const run::Grid asked = report::resolve(options);
-    const run::Layout layout(run_folder, asked.dataset);
+    const run::Grid requested = report::resolve(options);
+    const run::Layout layout(run_folder, requested.dataset);
     std::vector<report::Identification> all;
-    for (const run::CellName& model : held_models(layout, asked, run::Held(layout, leave_out))) {
+    for (const run::CellName& model :
+         held_models(layout, requested, run::Held(layout, leave_out))) {
       all.push_back(identify(layout, model.method, model.seed));
     }
     const auto rows = report::identifiability_rows(all);
-    const report::Document document = report::identifiability_document(asked.dataset, rows, all);
+    const report::Document document =
+        report::identifiability_document(requested.dataset, rows, all);
     text::save_all(
-        {{layout.identifiability_csv(), report::identifiability_csv(asked.dataset, rows)},
-         {layout.scatter_csv(), report::scatter_csv(asked.dataset, all)},
+        {{layout.identifiability_csv(), report::identifiability_csv(requested.dataset, rows)},
+         {layout.scatter_csv(), report::scatter_csv(requested.dataset, all)},
          {layout.identifiability_markdown(), report::markdown(document)}});
     std::cout << fmt::format("compared (k, c) of {} models with the truth: {}\n", all.size(),
                              layout.identifiability_markdown().string());

@@ -49,10 +49,11 @@ int main(int argc, char** argv) {
     monitor::Input input(input_file, follow);
     diagnosis::require_fitting_signal(classifier.info(), options.sample_rate_hz, options.speed_rpm,
                                       input.name());
-    const auto answer = [&](const signal::WindowSet& windows) {
-      return classifier.answer(windows);
+    const auto predict = [&](const signal::WindowSet& windows) {
+      return classifier.predict(windows);
     };
-    monitor::Monitor monitor(classifier.info(), classifier.length(), answer, options, input.name());
+    monitor::Monitor monitor(classifier.info(), classifier.length(), predict, options,
+                             input.name());
     cli::catch_interrupts();
     const std::string summary = watch(input, monitor, classifier.info(), watching, cli::interrupted,
                                       write_to_standard_output);

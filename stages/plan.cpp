@@ -4,10 +4,10 @@
 
 #include "cli/checks.hpp"
 #include "cli/stage.hpp"
-#include "plan/asked.hpp"
 #include "plan/goals.hpp"
 #include "plan/planned.hpp"
 #include "plan/printed.hpp"
+#include "plan/request_options.hpp"
 
 using namespace piae;
 
@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
                    "that it makes is missing or damaged, when the settings that made it differ "
                    "from those of pipeline/, or when an input has other contents.",
                    "plan --run try --datasets cwru --goals all");
-  plan::Asked asked;
+  plan::RequestOptions requested;
   plan::PlanOptions options;
   plan::JobOptions jobs;
   plan::Format format = plan::Format::why;
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   std::string noted;
   bool quietly = false;
   bool whole = false;
-  bind(stage.options(), asked);
+  bind(stage.options(), requested);
   bind(stage.options(), options);
   stage.options().choose(
       "--format", format,
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
 
   int result = 0;
   const int exit = stage.run(argc, argv, [&] {
-    const plan::Request request = asked.request();
+    const plan::Request request = requested.request();
     if (!due.empty()) {
       result = planned_for(request, options, due)->is_due(due) ? 0 : not_due;
       return;

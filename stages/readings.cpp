@@ -32,26 +32,27 @@ int main(int argc, char** argv) {
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 
   return stage.run(argc, argv, [&] {
-    const readings::Readings asked = readings::resolve(options);
+    const readings::Readings requested = readings::resolve(options);
     const report::Published published(published_folder);
-    const run::Layout layout(run_folder, asked.grid.dataset);
-    cli::Progress progress("readings", "readings", asked.readings.size());
+    const run::Layout layout(run_folder, requested.grid.dataset);
+    cli::Progress progress("readings", "readings", requested.readings.size());
     std::vector<readings::Row> rows;
-    for (const readings::Reading& reading : asked.readings) {
+    for (const readings::Reading& reading : requested.readings) {
       std::vector<std::vector<readings::Measured>> by_seed;
-      for (const std::int64_t seed : asked.grid.seeds) {
-        by_seed.push_back(measure(layout, asked, reading, seed));
+      for (const std::int64_t seed : requested.grid.seeds) {
+        by_seed.push_back(measure(layout, requested, reading, seed));
       }
       const auto own = rows_of(reading, by_seed);
       rows.insert(rows.end(), own.begin(), own.end());
-      progress.update(static_cast<std::size_t>(&reading - asked.readings.data()) + 1, reading.name);
+      progress.update(static_cast<std::size_t>(&reading - requested.readings.data()) + 1,
+                      reading.name);
     }
-    const auto of_paper = readings::published_rows(asked.grid, published);
+    const auto of_paper = readings::published_rows(requested.grid, published);
     rows.insert(rows.end(), of_paper.begin(), of_paper.end());
-    const std::string tables = report::markdown(document(asked, rows));
-    text::save_all({{layout.readings_csv(), csv(asked.grid.dataset, rows)},
+    const std::string tables = report::markdown(document(requested, rows));
+    text::save_all({{layout.readings_csv(), csv(requested.grid.dataset, rows)},
                     {layout.readings_markdown(), tables}});
-    std::cout << fmt::format("tabulated {} readings: {}\n", asked.readings.size(),
+    std::cout << fmt::format("tabulated {} readings: {}\n", requested.readings.size(),
                              layout.readings_markdown().string());
   });
 }

@@ -22,7 +22,8 @@ void require_folder(const fs::path& run) {
 
 std::size_t missing_cells(const page::ReportContents& contents) {
   std::size_t count = 0;
-  for (const page::DatasetContents& dataset : contents.datasets) count += dataset.holes.size();
+  for (const page::DatasetContents& dataset : contents.datasets)
+    count += dataset.missing_cells.size();
   return count;
 }
 
@@ -36,11 +37,11 @@ int main(int argc, char** argv) {
       "step ran and what it took. Works on an unfinished run: what is missing is named on top. The "
       "same cells give the same report.html and report.md in any folder.",
       "report --run results/try --datasets cwru --published results/published");
-  page::AskedCells asked;
+  page::RequestedCells requested;
   fs::path run_folder;
   fs::path published_folder;
   fs::path style_folder = "pipeline/report";
-  bind(stage.options(), asked);
+  bind(stage.options(), requested);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
   stage.input_file("--style", style_folder, "Folder with style.css and script.js").required(false);
@@ -49,7 +50,7 @@ int main(int argc, char** argv) {
     require_folder(run_folder);
     const page::Style style = page::read_style(style_folder);
     const report::Published published(published_folder);
-    const page::ReportContents contents = page::read_report(run_folder, asked, published);
+    const page::ReportContents contents = page::read_report(run_folder, requested, published);
     const std::string html = report_page(contents, style);
     text::save_if_changed({run_folder / "report.html", html});
     text::save_if_changed({run_folder / "report.md", report_text(contents)});

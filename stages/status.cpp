@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "cli/stage.hpp"
-#include "plan/asked.hpp"
 #include "plan/goals.hpp"
+#include "plan/request_options.hpp"
 #include "plan/submission.hpp"
 
 using namespace piae;
@@ -21,11 +21,11 @@ int main(int argc, char** argv) {
       "failed and missing; an estimate of the time left; the steps that run and those that failed. "
       "What settings of before have made counts as missing. Reads only; a run may go on meanwhile.",
       "status --run try --datasets cwru --goals all");
-  plan::Asked asked;
+  plan::RequestOptions requested;
   fs::path pipeline = "pipeline";
   fs::path queue;
   fs::path submission_folder;
-  bind(stage.options(), asked);
+  bind(stage.options(), requested);
   stage.input_file("--pipeline", pipeline, "Folder with protocol.toml and datasets/")
       .required(false);
   stage.input_file("--queue", queue, "What jobs/queue.sh says of the run's jobs").required(false);
@@ -41,8 +41,8 @@ int main(int argc, char** argv) {
     std::ifstream lines(queue);
     const plan::Submission submission =
         plan::read_submission(queue.empty() ? static_cast<std::istream&>(nothing) : lines);
-    plan::Request request = asked.request();
-    take_submission(submission, request, !asked.goals.empty());
+    plan::Request request = requested.request();
+    take_submission(submission, request, !requested.goals.empty());
     plan::require_one_that([](const plan::Goal& goal) { return !goal.counts.empty(); },
                            request.goals);
     plan::PlanOptions look{.pipeline = pipeline, .looks = true};

@@ -55,11 +55,11 @@ int main(int argc, char** argv) {
   run::bind_leave_out(stage.options(), leave_out);
 
   return stage.run(argc, argv, [&] {
-    const run::Grid asked = run::resolve(options);
+    const run::Grid requested = run::resolve(options);
     const report::Published published(published_folder);
-    const run::Layout layout(run_folder, asked.dataset);
+    const run::Layout layout(run_folder, requested.dataset);
     const run::Held held(layout, leave_out);
-    auto [grid, results] = run::collect_held(layout, asked, held);
+    auto [grid, results] = run::collect_held(layout, requested, held);
     run::require_all(results);
     const std::string left_out = report::left_out_line(results);
     if (!left_out.empty()) spdlog::warn(left_out);

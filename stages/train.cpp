@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
       stage.input_file("--real", real_file,
                        "D.h5 of the same split, which only a ceiling learns from");
     }
-    if (entry->hears) {
+    if (entry->uses_healthy) {
       stage
           .input_file("--healthy", healthy_file,
                       entry->without_known
@@ -73,8 +73,8 @@ int main(int argc, char** argv) {
                                           signal::Role::hidden, reader);
     }
     if (!healthy_file.empty()) {
-      method->hear(signal::read_of_one_split(stage.open("healthy", healthy_file, "windows"),
-                                             signal::Role::healthy, reader));
+      method->use_healthy(signal::read_of_one_split(stage.open("healthy", healthy_file, "windows"),
+                                                    signal::Role::healthy, reader));
     }
     const Stream stream(fmt::format("{}/seed{}/train/{}", windows.info.name, run.seed, name));
 

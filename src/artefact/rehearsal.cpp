@@ -64,12 +64,12 @@ std::size_t size_of(std::span<const Rehearsal> files) {
 }
 
 /// Sends an answer. A failure counts as the child's death.
-void say(int to, std::string text) {
+void send(int to, std::string text) {
   text += end_of_answer;
   (void)write_all(to, std::as_bytes(std::span(text)));
 }
 
-std::string hear(int from) {
+std::string read_all(int from) {
   std::string text;
   std::array<char, 4096> some{};
   for (;;) {
@@ -80,12 +80,12 @@ std::string hear(int from) {
   }
 }
 
-void read_and_say(int to, const std::function<void()>& read) {
+void rehearse_to(int to, const std::function<void()>& read) {
   try {
     read();
-    say(to, std::string(good));
+    send(to, std::string(good));
   } catch (const Refusal& refusal) {
-    say(to, std::to_string(static_cast<int>(refusal.reason())) + ' ' + refusal.what());
+    send(to, std::to_string(static_cast<int>(refusal.reason())) + ' ' + refusal.what());
   }
 }
 
@@ -96,7 +96,7 @@ void read_and_say(int to, const std::function<void()>& read) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGXCPU}) ::signal(signal, SIG_DFL);
   limit_by_size(size_of(files), files.size());
   try {
-    for (const Rehearsal& file : files) read_and_say(to, file.read);
+    for (const Rehearsal& file : files) rehearse_to(to, file.read);
   } catch (...) {
     // a missing answer reports the failure
   }
@@ -104,12 +104,12 @@ void read_and_say(int to, const std::function<void()>& read) {
 }
 
 /// Parses an answer of the child other than `good`.
-Objection objection_in(const std::string& heard, const std::string& otherwise) {
-  const std::size_t space = heard.find(' ');
-  if (space == std::string::npos || heard.find_first_not_of("0123456789") != space) {
+Objection objection_in(const std::string& answers_read, const std::string& otherwise) {
+  const std::size_t space = answers_read.find(' ');
+  if (space == std::string::npos || answers_read.find_first_not_of("0123456789") != space) {
     return {RefusalReason::damaged, otherwise};
   }
-  return {static_cast<RefusalReason>(std::stoi(heard)), heard.substr(space + 1)};
+  return {static_cast<RefusalReason>(std::stoi(answers_read)), answers_read.substr(space + 1)};
 }
 
 [[noreturn]] void fail(const char* what) {
@@ -129,15 +129,15 @@ std::vector<std::string> answers_of_child(std::span<const Rehearsal> files) {
   }
   if (child == 0) be_the_child(pipe[1], files);
   ::close(pipe[1]);
-  const std::string heard = hear(pipe[0]);
+  const std::string answers_read = read_all(pipe[0]);
   ::close(pipe[0]);
   while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
   std::vector<std::string> answers;
   std::size_t begin = 0;
-  for (std::size_t end = 0; (end = heard.find(end_of_answer, begin)) != std::string::npos;
+  for (std::size_t end = 0; (end = answers_read.find(end_of_answer, begin)) != std::string::npos;
        begin = end + 1) {
-    answers.push_back(heard.substr(begin, end - begin));
+    answers.push_back(answers_read.substr(begin, end - begin));
   }
   return answers;
 }

@@ -26,13 +26,13 @@ void require_finite(const std::string& path, std::span<const T> values) {
 
 void write_provenance(hid_t file, const Provenance& provenance) {
   hdf5::make_group(file, provenance_group);
-  const auto say = [&](const std::string& name, const std::string& value) {
+  const auto put = [&](const std::string& name, const std::string& value) {
     hdf5::write_attribute(file, provenance_group, name, value);
   };
-  say("program", provenance.program);
-  say("version", build_version());
-  say("libraries", build_libraries());
-  say("cpu", cpu_settings());
+  put("program", provenance.program);
+  put("version", build_version());
+  put("libraries", build_libraries());
+  put("cpu", cpu_settings());
   hdf5::write_strings(file, provenance_group + "/options", {provenance.options});
   std::vector<std::string> inputs;
   for (const auto& input : provenance.inputs) {

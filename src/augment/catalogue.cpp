@@ -119,16 +119,16 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::ours,
      .what = "known windows struck as in the tested condition",
      .make = make<StrikeTwin>,
-     .hears = true,
+     .uses_healthy = true,
      .carries = true,
      .needs = Needs::size},
     {.name = "piae-dt-zero",
      .kind = Kind::ours,
      .what = "healthy windows struck as a prior of faults says",
      .make = make<PiaeDtZero>,
-     .hears = true,
+     .uses_healthy = true,
      .without_known = true,
-     .needs = Needs::rhythm},
+     .needs = Needs::impact_rate},
     {.name = "oversample",
      .kind = Kind::control,
      .what = "known windows repeated",
@@ -150,9 +150,9 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::control,
      .what = "healthy windows with the impulses of one damped resonance",
      .make = make<HealthyPlusImpulses>,
-     .hears = true,
+     .uses_healthy = true,
      .without_known = true,
-     .needs = Needs::rhythm},
+     .needs = Needs::impact_rate},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows in the place of generated ones",
@@ -207,9 +207,9 @@ namespace {
 
 /// Returns the missing fact about a class that such a method needs; empty if nothing is missing.
 std::string lack(Needs needs, const signal::DatasetInfo& info, const signal::ClassInfo& c) {
-  const bool is_struck = bearing::is_struck(c.defect);
+  const bool causes_impacts = bearing::causes_impacts(c.defect);
   if (needs >= Needs::bearing && !info.has_bearing) return "[bearing], its geometry";
-  if (needs >= Needs::rhythm && !is_struck) {
+  if (needs >= Needs::impact_rate && !causes_impacts) {
     return "the rhythm of class " + c.name + ", whose defect is 'other'";
   }
   if (needs >= Needs::size && c.defect_size_mm == 0) return "defect_size_mm of class " + c.name;

@@ -23,9 +23,9 @@ enum class Kind {
 /// Facts that a method needs about each fault, in addition to its windows.
 enum class Needs {
   nothing,
-  bearing,  ///< the geometry of the bearing
-  rhythm,   ///< the geometry, and a defect type other than `other`
-  size,     ///< the same as `rhythm`, and defect_size_mm
+  bearing,      ///< the geometry of the bearing
+  impact_rate,  ///< the geometry, and a defect type other than `other`
+  size,         ///< the same as `impact_rate`, and defect_size_mm
 };
 
 /// One entry of the catalogue of methods.
@@ -36,7 +36,7 @@ struct CatalogueEntry {
   std::unique_ptr<Method> (*make)() = nullptr;  ///< null for the baseline, which generates nothing
   int model = 0;        ///< number of the model in the paper (Tables 10 and 11); 0 for no model
   bool infers = false;  ///< true if it infers stiffness and damping of windows that it has not seen
-  bool hears = false;   ///< true if it uses healthy windows B in addition to the known ones
+  bool uses_healthy = false;  ///< true if it uses healthy windows B in addition to the known ones
   bool carries = false;  ///< true if it is made for faults that are known in other conditions only
   bool trains = false;   ///< true if nets::run_epochs() trains or fits it in epochs
   bool without_known = false;  ///< true if it makes faults of which no window is known

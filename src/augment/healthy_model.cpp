@@ -6,8 +6,8 @@
 
 namespace piae::augment {
 
-const signal::WindowSet& require_heard(const std::optional<signal::WindowSet>& healthy,
-                                       const signal::WindowSet& known) {
+const signal::WindowSet& require_healthy(const std::optional<signal::WindowSet>& healthy,
+                                         const signal::WindowSet& known) {
   if (!healthy) {
     throw Error(Exit::usage,
                 "--healthy is missing: this method makes faults from healthy windows; give "

@@ -8,7 +8,7 @@ void HealthyPlusImpulses::train(const signal::WindowSet& known, const Stream& /*
                                 const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                                 artefact::Writer& model) {
   zero::table_of(options_).require_order();
-  const signal::WindowSet& healthy = require_heard(healthy_, known);
+  const signal::WindowSet& healthy = require_healthy(healthy_, known);
   (void)zero::Machine(healthy);  // throws if the windows do not allow a model
   signal::write(model, healthy);
   zero::table_of(options_).write(model);

@@ -11,7 +11,7 @@ namespace piae::augment {
 /// (zero/impulses.hpp). It is the control that piae-dt-zero must beat.
 class HealthyPlusImpulses final : public Method {
  public:
-  void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }
+  void use_healthy(const signal::WindowSet& healthy) override { healthy_ = healthy; }
   void bind(const cli::Options& command) override { zero::table_of(options_).bind(command); }
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

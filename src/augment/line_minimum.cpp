@@ -15,12 +15,12 @@ LineMinimum::LineMinimum(double low, double high, int bits, int most_values)
       next_(high) {}
 
 void LineMinimum::take(double value) {
-  if (begun_) {
+  if (started_) {
     bracket({next_, value});
     --values_left_;
   } else {
     best_.value = second_.value = third_.value = value;
-    begun_ = true;
+    started_ = true;
   }
   done_ = values_left_ == 0;
   if (!done_) choose_next();

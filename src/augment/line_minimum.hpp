@@ -39,7 +39,7 @@ class LineMinimum {
   double step_ = 0;         ///< the last step
   double step_before_ = 0;  ///< the step before the last
   double next_;
-  bool begun_ = false;
+  bool started_ = false;
   bool done_ = false;
 };
 

@@ -11,7 +11,7 @@ bool Method::needs_libtorch(const Compute& compute) const {
   return false;
 }
 
-void Method::hear(const signal::WindowSet& /*healthy*/) {
+void Method::use_healthy(const signal::WindowSet& /*healthy*/) {
   throw std::logic_error("this method learns from known windows alone");
 }
 

@@ -38,7 +38,7 @@ class Method {
 
   /// Takes healthy windows B of the split before train(), for methods that learn the machine's
   /// background from them. The default throws std::logic_error.
-  virtual void hear(const signal::WindowSet& healthy);
+  virtual void use_healthy(const signal::WindowSet& healthy);
 
   /// Adds the method's own options to the program `train`.
   virtual void bind(const cli::Options& command) = 0;

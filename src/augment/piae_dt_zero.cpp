@@ -9,7 +9,7 @@ void PiaeDtZero::train(const signal::WindowSet& known, const Stream& /*stream*/,
                        const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
                        artefact::Writer& model) {
   zero::table_of(prior_).require_order();
-  const signal::WindowSet& healthy = require_heard(healthy_, known);
+  const signal::WindowSet& healthy = require_healthy(healthy_, known);
   (void)zero::Twin(zero::Machine(healthy), prior_);  // throws if the windows do not allow a model
   signal::write(model, healthy);
   zero::table_of(prior_).write(model);

@@ -12,7 +12,7 @@ namespace piae::augment {
 /// prior gives the rest.
 class PiaeDtZero final : public Method {
  public:
-  void hear(const signal::WindowSet& healthy) override { healthy_ = healthy; }
+  void use_healthy(const signal::WindowSet& healthy) override { healthy_ = healthy; }
   void bind(const cli::Options& command) override { zero::table_of(prior_).bind(command); }
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

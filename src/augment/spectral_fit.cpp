@@ -112,7 +112,7 @@ SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, Label label
                          const FitOptions& options)
     : info_(simulation.info), length_(simulation.length), dynamics_(simulation.options.dynamics) {
   const signal::ClassInfo& c = info_.classes.at(index_of(label));
-  defect_ = {.kind = c.defect, .size_mm = c.defect_size_mm};
+  defect_ = {.fault_type = c.defect, .size_mm = c.defect_size_mm};
   dynamics_.max_sub_step_s = sub_step_s;
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(dynamics_);
   require_between("--stiffness-from-n-per-m", options.stiffness_from_n_per_m, largest_n_per_m,

@@ -26,7 +26,7 @@ std::vector<transfer::HealthySpectrum> read_background(const artefact::Reader& m
 
 void StrikeTwin::bind(const cli::Options& command) { transfer::bind(command, options_); }
 
-void StrikeTwin::hear(const signal::WindowSet& healthy) {
+void StrikeTwin::use_healthy(const signal::WindowSet& healthy) {
   healthy_ = transfer::healthy_spectra(healthy);
 }
 

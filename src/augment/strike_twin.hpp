@@ -13,7 +13,7 @@ namespace piae::augment {
 /// geometry and the tested speed give the times, rate and durations of the impacts.
 class StrikeTwin final : public Method {
  public:
-  void hear(const signal::WindowSet& healthy) override;
+  void use_healthy(const signal::WindowSet& healthy) override;
   void bind(const cli::Options& command) override;
   void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
              const nets::Checkpoint& checkpoint, artefact::Writer& model) override;

@@ -14,8 +14,8 @@ namespace {
 using std::numbers::pi;
 
 /// Returns the diameter of the race or ball that has the defect (eq. 8).
-double diameter_mm(const Geometry& g, Defect kind) {
-  switch (kind) {
+double diameter_mm(const Geometry& g, Defect fault_type) {
+  switch (fault_type) {
     case Defect::outer:
       return g.outer_raceway_mm;
     case Defect::inner:
@@ -28,7 +28,7 @@ double diameter_mm(const Geometry& g, Defect kind) {
 }  // namespace
 
 void validate(const Geometry& g, const LocalDefect& defect) {
-  if (!is_struck(defect.kind)) {
+  if (!causes_impacts(defect.fault_type)) {
     if (defect.size_mm == 0) return;
     throw Error(Exit::bad_input,
                 fmt::format("defect size {} mm in a bearing without a defect; it must be 0",
@@ -39,17 +39,18 @@ void validate(const Geometry& g, const LocalDefect& defect) {
                 fmt::format("defect size {} mm; it must lie between 0 and the ball's {} mm",
                             defect.size_mm, g.ball_diameter_mm));
   }
-  const bool on_a_race = defect.kind != Defect::roller;
+  const bool on_a_race = defect.fault_type != Defect::roller;
   if (on_a_race && half_angle_rad(g, defect) >= pi / g.balls) {
-    throw Error(Exit::bad_input,
-                fmt::format("defect size {} mm spans more than the distance of two balls; it must "
-                            "be below {:.3g} mm",
-                            defect.size_mm, diameter_mm(g, defect.kind) * std::sin(pi / g.balls)));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("defect size {} mm spans more than the distance of two balls; it must "
+                    "be below {:.3g} mm",
+                    defect.size_mm, diameter_mm(g, defect.fault_type) * std::sin(pi / g.balls)));
   }
 }
 
 double half_angle_rad(const Geometry& g, const LocalDefect& defect) {
-  return std::asin(defect.size_mm / diameter_mm(g, defect.kind));
+  return std::asin(defect.size_mm / diameter_mm(g, defect.fault_type));
 }
 
 double defect_depth_m(const Geometry& g, double size_mm) {

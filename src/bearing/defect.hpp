@@ -9,11 +9,13 @@ namespace piae::bearing {
 enum class Defect { none, outer, inner, roller, other };
 
 /// True if balls cause impacts at the defect, at a rate that follows from the kinematics.
-constexpr bool is_struck(Defect kind) { return kind != Defect::none && kind != Defect::other; }
+constexpr bool causes_impacts(Defect fault_type) {
+  return fault_type != Defect::none && fault_type != Defect::other;
+}
 
 /// A rectangular spall across the raceway or the ball.
 struct LocalDefect {
-  Defect kind = Defect::none;
+  Defect fault_type = Defect::none;
   double size_mm = 0;  ///< length along the running direction, L_o, L_i or L_r; 0 for none
 };
 

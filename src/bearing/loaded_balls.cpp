@@ -35,7 +35,7 @@ void set_lane_of(Direction& direction, std::size_t lane, double angle_rad) {
 /// Returns a direction rotated by an angle. `by` holds the angle's cosine and sine, as vectors or
 /// as one number for all courses.
 template <class By>
-Direction turned(const Direction& direction, const By& by) {
+Direction rotated(const Direction& direction, const By& by) {
   return {direction.cosine * by.cosine - direction.sine * by.sine,
           direction.sine * by.cosine + direction.cosine * by.sine};
 }
@@ -49,11 +49,11 @@ Direction chosen(const Mask& first, const Direction& a, const Direction& b) {
 struct Turning {
   double entered = 0;
   double from_defect = 0;
-  double strike = 0;
+  double facing = 0;
 };
 
-Turning turning(Defect kind, const Speeds& speeds) {
-  switch (kind) {
+Turning turning(Defect fault_type, const Speeds& speeds) {
+  switch (fault_type) {
     case Defect::inner:
       return {speeds.cage, speeds.cage - speeds.shaft, 0};
     case Defect::roller:
@@ -67,7 +67,7 @@ Turning turning(Defect kind, const Speeds& speeds) {
 
 LoadedBalls::LoadedBalls(const Geometry& geometry, const LocalDefect& defect,
                          std::span<const Motion> motions, std::span<const double> clearances_m)
-    : kind_(defect.kind), ball_distance_rad_(2 * pi / geometry.balls) {
+    : fault_type_(defect.fault_type), ball_distance_rad_(2 * pi / geometry.balls) {
   bearing::validate(geometry);
   bearing::validate(geometry, defect);
   std::ranges::for_each(motions, [](const Motion& m) { validate_motion(m); });
@@ -84,7 +84,7 @@ LoadedBalls::LoadedBalls(const Geometry& geometry, const LocalDefect& defect,
     clearance_in_defect_m_[lane] = clearances_m[i] + depth_m;
   }
   const double half_angle = half_angle_rad(geometry, defect);
-  const bool on_a_ball = kind_ == Defect::roller;
+  const bool on_a_ball = fault_type_ == Defect::roller;
   cosine_in_defect_ = std::cos(on_a_ball ? ball_distance_rad_ / 2 : half_angle);
   cosine_facing_race_ = on_a_ball ? std::cos(2 * half_angle) : -2;
 }
@@ -101,7 +101,7 @@ void LoadedBalls::set(double time_s) {
 }
 
 void LoadedBalls::copy_lane(std::size_t from, std::size_t to) {
-  for (Direction* direction : {&entered_, &from_defect_, &strike_}) {
+  for (Direction* direction : {&entered_, &from_defect_, &facing_}) {
     direction->cosine[to] = direction->cosine[from];
     direction->sine[to] = direction->sine[from];
   }
@@ -118,19 +118,19 @@ void LoadedBalls::set_lane(std::size_t lane, double time_s) {
   const double entered = from_begin - balls_ahead * ball_distance_rad_ - pi / 2;
   set_lane_of(entered_, lane, entered);
   double defect = motion.defect_angle_rad;
-  double strike = 0;
-  if (kind_ == Defect::inner) defect += speeds.shaft * time_s;
-  if (kind_ == Defect::roller) {
+  double facing = 0;
+  if (fault_type_ == Defect::inner) defect += speeds.shaft * time_s;
+  if (fault_type_ == Defect::roller) {
     defect = cage;  // the first ball
-    strike = 2 * (motion.defect_angle_rad + speeds.spin * time_s) - pi;
+    facing = 2 * (motion.defect_angle_rad + speeds.spin * time_s) - pi;
   }
   set_lane_of(from_defect_, lane, entered - defect);
-  set_lane_of(strike_, lane, strike);
+  set_lane_of(facing_, lane, facing);
 }
 
 void LoadedBalls::set_step(double step_s) {
   for (std::size_t lane = 0; lane < courses_at_once; ++lane) {
-    const Turning speeds = turning(kind_, speeds_[lane]);
+    const Turning speeds = turning(fault_type_, speeds_[lane]);
     if (!(speeds.entered * step_s < ball_distance_rad_)) {
       throw Error(
           Exit::bad_input,
@@ -140,28 +140,28 @@ void LoadedBalls::set_step(double step_s) {
     }
     set_lane_of(entered_step_, lane, speeds.entered * step_s);
     set_lane_of(from_defect_step_, lane, speeds.from_defect * step_s);
-    set_lane_of(strike_step_, lane, speeds.strike * step_s);
+    set_lane_of(facing_step_, lane, speeds.facing * step_s);
   }
 }
 
 void LoadedBalls::advance() {
-  entered_ = turned(entered_, entered_step_);
-  from_defect_ = turned(from_defect_, from_defect_step_);
-  strike_ = turned(strike_, strike_step_);
+  entered_ = rotated(entered_, entered_step_);
+  from_defect_ = rotated(from_defect_, from_defect_step_);
+  facing_ = rotated(facing_, facing_step_);
   const Ahead behind{ahead_[1].cosine, -ahead_[1].sine};
-  const Direction next = turned(entered_, behind);
+  const Direction next = rotated(entered_, behind);
   const auto enters = next.cosine > 0;
   entered_ = chosen(enters, next, entered_);
-  from_defect_ = chosen(enters, turned(from_defect_, behind), from_defect_);
+  from_defect_ = chosen(enters, rotated(from_defect_, behind), from_defect_);
   find_contacts();
 }
 
 void LoadedBalls::find_contacts() {
   const PerCourse delta_in_defect_m =
-      strike_.cosine > cosine_facing_race_ ? clearance_in_defect_m_ : clearance_m_;
+      facing_.cosine > cosine_facing_race_ ? clearance_in_defect_m_ : clearance_m_;
   for (std::size_t j = 0; j < ahead_.size(); ++j) {
-    const PerCourse along = turned(entered_, ahead_[j]).cosine;
-    const PerCourse from_defect = turned(from_defect_, ahead_[j]).cosine;
+    const PerCourse along = rotated(entered_, ahead_[j]).cosine;
+    const PerCourse from_defect = rotated(from_defect_, ahead_[j]).cosine;
     contacts_[j].along = along > 0 ? along : PerCourse{};
     contacts_[j].delta_m = from_defect > cosine_in_defect_ ? delta_in_defect_m : clearance_m_;
   }

@@ -68,7 +68,7 @@ class LoadedBalls {
   void copy_lane(std::size_t from, std::size_t to);
   void find_contacts();
 
-  Defect kind_;
+  Defect fault_type_;
   double ball_distance_rad_;
   std::vector<Ahead> ahead_;
   std::vector<Motion> motions_;
@@ -85,11 +85,11 @@ class LoadedBalls {
 
   Direction entered_{};      ///< the angle of the ball that entered last
   Direction from_defect_{};  ///< the angle from the defect to the ball that entered last
-  Direction strike_{};       ///< twice the spin angle minus pi: 0 when the defect faces a race
+  Direction facing_{};       ///< twice the spin angle minus pi: 0 when the defect faces a race
   // Rotation of these three directions in one advance():
   Direction entered_step_{};
   Direction from_defect_step_{};
-  Direction strike_step_{};
+  Direction facing_step_{};
 
   std::vector<BallContact> contacts_;
 };

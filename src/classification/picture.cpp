@@ -61,14 +61,14 @@ void draw_time_line(Svg& svg, const Verdict& verdict, const DatasetInfo& info, s
              Anchor::end, 10);
   }
   for (std::size_t i = 0; i < verdict.start_s.size(); ++i) {
-    const std::size_t named = index_of(verdict.answers.labels[i]);
+    const std::size_t named = index_of(verdict.predictions.labels[i]);
     const bool unknown = verdict.is_unknown(i);
     const double next_s = i + 1 < verdict.start_s.size() ? verdict.start_s[i + 1] : x.high;
     const double end_s = std::min(next_s, verdict.start_s[i] + window_s);
-    const std::string colour = unknown
-                                   ? unknown_colour
-                                   : colour_of(info.classes[named].defect == signal::Defect::none,
-                                               verdict.answers.probabilities[i * classes + named]);
+    const std::string colour =
+        unknown ? unknown_colour
+                : colour_of(info.classes[named].defect == signal::Defect::none,
+                            verdict.predictions.probabilities[i * classes + named]);
     svg.area({x.at(verdict.start_s[i]),
               panel.top + row * static_cast<double>(unknown ? classes : named) + 1},
              x.at(end_s) - x.at(verdict.start_s[i]), row - 2, colour);
@@ -83,13 +83,15 @@ void draw_time_line(Svg& svg, const Verdict& verdict, const DatasetInfo& info, s
 }
 
 std::string title_of(const Verdict& verdict, const DatasetInfo& info) {
-  const std::string said =
-      verdict.recording.said.empty() ? "" : fmt::format(" (said to be {})", verdict.recording.said);
+  const std::string true_class =
+      verdict.recording.true_class.empty()
+          ? ""
+          : fmt::format(" (said to be {})", verdict.recording.true_class);
   if (verdict.unknown) {
     return fmt::format("{}{}: unknown, {:.0f} % of its windows look like nothing that was trained",
-                       verdict.recording.name, said, 100 * verdict.share_unknown);
+                       verdict.recording.name, true_class, 100 * verdict.share_unknown);
   }
-  return fmt::format("{}{}: {}, {:.0f} % sure", verdict.recording.name, said,
+  return fmt::format("{}{}: {}, {:.0f} % sure", verdict.recording.name, true_class,
                      info.class_of(verdict.label).name, 100 * verdict.probability);
 }
 

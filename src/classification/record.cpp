@@ -35,22 +35,22 @@ void write_windows(artefact::Writer& writer, const std::vector<Verdict>& verdict
   std::vector<double> starts_s;
   std::vector<Label> labels;
   std::vector<float> probabilities;
-  std::vector<double> strangeness;
+  std::vector<double> novelty;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Verdict& verdict = verdicts[i];
-    const diagnosis::Answers& answers = verdict.answers;
+    const diagnosis::Predictions& predictions = verdict.predictions;
     recordings.insert(recordings.end(), verdict.start_s.size(), static_cast<std::int32_t>(i));
     starts_s.insert(starts_s.end(), verdict.start_s.begin(), verdict.start_s.end());
-    labels.insert(labels.end(), answers.labels.begin(), answers.labels.end());
-    probabilities.insert(probabilities.end(), answers.probabilities.begin(),
-                         answers.probabilities.end());
-    strangeness.insert(strangeness.end(), answers.strangeness.begin(), answers.strangeness.end());
+    labels.insert(labels.end(), predictions.labels.begin(), predictions.labels.end());
+    probabilities.insert(probabilities.end(), predictions.probabilities.begin(),
+                         predictions.probabilities.end());
+    novelty.insert(novelty.end(), predictions.novelty.begin(), predictions.novelty.end());
   }
   writer.numbers("/windows/recording", recordings);
   writer.numbers("/windows/start_s", starts_s);
   writer.numbers("/windows/label", labels);
   writer.numbers("/windows/probabilities", probabilities, {labels.size(), classes});
-  writer.numbers("/windows/strangeness", strangeness);
+  writer.numbers("/windows/strangeness", novelty);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& traine
   require_finite_samples(samples, what);
   return {.name = one_line(lone.file.filename().string()),
           .shaft_speed_rpm = lone.shaft_speed_rpm,
-          .said = "",
+          .true_class = "",
           .signal = signal::resample(samples, lone.sample_rate_hz, trained.sample_rate_hz)};
 }
 
@@ -61,7 +61,7 @@ Recording recording_of(const signal::Record& record, const signal::DatasetInfo& 
   return {
       .name = record.name,
       .shaft_speed_rpm = record.shaft_speed_rpm,
-      .said = described.class_of(record.label).name,
+      .true_class = described.class_of(record.label).name,
       .signal = signal::resample(record.signal, described.sample_rate_hz, trained.sample_rate_hz)};
 }
 

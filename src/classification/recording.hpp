@@ -25,7 +25,7 @@ struct LoneFile {
 struct Recording {
   std::string name;  ///< without terminal control characters
   double shaft_speed_rpm = 0;
-  std::string said;  ///< class according to its description; empty without one
+  std::string true_class;  ///< class according to its description; empty without one
   std::vector<double> signal;
 };
 

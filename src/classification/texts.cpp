@@ -50,7 +50,7 @@ std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share);
 
 /// Returns text such as "BPFI +12.3 dB".
 std::string words_of(const inspection::FaultLine& line) {
-  return fmt::format("{} {:+.1f} dB", inspection::line_name(line.kind), line.db.value_or(0));
+  return fmt::format("{} {:+.1f} dB", inspection::line_name(line.fault_type), line.db.value_or(0));
 }
 
 /// Returns the line of the predicted fault, or for other classes the most prominent line. If the
@@ -60,34 +60,34 @@ std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
   if (!info.has_bearing) return "no bearing known";
   const signal::Defect named = info.class_of(verdict.label).defect;
   const inspection::FaultLine* const farthest = inspection::farthest(verdict.lines);
-  if (verdict.unknown || !bearing::is_struck(named)) {
+  if (verdict.unknown || !bearing::causes_impacts(named)) {
     return farthest == nullptr ? "no fault line" : words_of(*farthest);
   }
   const inspection::FaultLine& own = inspection::line_of(verdict.lines, named);
   if (!own.db) return "too short for lines";
   if (own.stands_out) return words_of(own);
   if (farthest == nullptr) return words_of(own) + ", faint";
-  return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.kind));
+  return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.fault_type));
 }
 
 /// Returns the table with names of at most `longest` characters.
 std::string table_with_names(const std::vector<Verdict>& verdicts, const DatasetInfo& info,
                              std::size_t longest) {
-  const bool any_said = std::ranges::any_of(
-      verdicts, [](const Verdict& verdict) { return !verdict.recording.said.empty(); });
+  const bool has_true_classes = std::ranges::any_of(
+      verdicts, [](const Verdict& verdict) { return !verdict.recording.true_class.empty(); });
   std::vector<std::string> header{"recording"};
-  if (any_said) header.emplace_back("said");
+  if (has_true_classes) header.emplace_back("said");
   header.insert(header.end(), {"named", "evidence", "sure", "agree", "unknown", "windows"});
-  text::Table table(header, any_said ? 4 : 3);
+  text::Table table(header, has_true_classes ? 4 : 3);
   for (const Verdict& verdict : verdicts) {
     std::vector<std::string> row{shortened(verdict.recording.name, longest)};
-    if (any_said) row.push_back(shortened(verdict.recording.said, longest));
+    if (has_true_classes) row.push_back(shortened(verdict.recording.true_class, longest));
     row.push_back(verdict.unknown ? "unknown"
                                   : shortened(info.class_of(verdict.label).name, longest));
     row.push_back(evidence_of(verdict, info));
     row.push_back(verdict.unknown ? "-" : percent(verdict.probability));
     row.push_back(verdict.unknown ? "-" : percent(verdict.share));
-    row.push_back(verdict.tells_unknown ? percent(verdict.share_unknown) : "-");
+    row.push_back(verdict.can_refuse ? percent(verdict.share_unknown) : "-");
     row.push_back(std::to_string(verdict.start_s.size()));
     table.row(row);
   }
@@ -115,8 +115,7 @@ std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Tr
       kept.calibration().windows > 0
           ? fmt::format("were off by {:.1f} points in the mean", 100 * trust.calibration_error)
           : "are uncalibrated: no known windows could be left out to find a temperature",
-      kept.strangeness() ? ""
-                         : "it cannot tell what is unknown: no fault was known as it is tested\n");
+      kept.novelty() ? "" : "it cannot tell what is unknown: no fault was known as it is tested\n");
 }
 
 std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
@@ -127,13 +126,13 @@ std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info
   const std::size_t classes = info.classes.size();
   for (const Verdict& verdict : verdicts) {
     for (std::size_t i = 0; i < verdict.start_s.size(); ++i) {
-      const Label named = verdict.answers.labels[i];
-      const float* const probabilities = verdict.answers.probabilities.data() + i * classes;
+      const Label named = verdict.predictions.labels[i];
+      const float* const probabilities = verdict.predictions.probabilities.data() + i * classes;
       std::vector<std::string> fields{verdict.recording.name,
                                       fmt::format("{:.6f}", verdict.start_s[i]),
                                       info.class_of(named).name,
                                       fmt::format("{:.4f}", probabilities[index_of(named)]),
-                                      fmt::format("{:.4f}", verdict.answers.strangeness[i]),
+                                      fmt::format("{:.4f}", verdict.predictions.novelty[i]),
                                       verdict.is_unknown(i) ? "1" : "0"};
       for (std::size_t k = 0; k < classes; ++k) {
         fields.push_back(fmt::format("{:.4f}", probabilities[k]));

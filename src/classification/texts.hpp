@@ -18,7 +18,7 @@ std::string table_of(const std::vector<Verdict>& verdicts, const signal::Dataset
 std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust);
 
 /// Returns a line for each window: recording, start_s, class, probability, novelty (column
-/// `strangeness`), unknown (0 or 1), and the probability of every class.
+/// `novelty`), unknown (0 or 1), and the probability of every class.
 std::string csv_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info);
 
 }  // namespace piae::classification

@@ -14,9 +14,9 @@ namespace piae::classification {
 /// A classifier's verdict on a recording, and the evidence for it.
 struct Verdict {
   Recording recording;
-  std::vector<double> start_s;  ///< [n] start of each window
-  diagnosis::Answers answers;   ///< for each window
-  bool tells_unknown = true;    ///< false if novelty is unavailable (KeptClassifier::strangeness())
+  std::vector<double> start_s;         ///< [n] start of each window
+  diagnosis::Predictions predictions;  ///< for each window
+  bool can_refuse = true;  ///< false if novelty is unavailable (KeptClassifier::novelty())
   /// True if more than half of the windows resemble nothing in the training set.
   bool unknown = false;
   /// The class with the greatest mean probability over the known windows (over all if none is
@@ -31,7 +31,7 @@ struct Verdict {
   inspection::FaultLines lines;
 
   [[nodiscard]] bool is_unknown(std::size_t window) const {
-    return answers.strangeness[window] > diagnosis::strangest_known;
+    return predictions.novelty[window] > diagnosis::highest_known_novelty;
   }
 };
 

@@ -82,18 +82,18 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
 class UsageForStep {
  public:
   UsageForStep() {
-    if (asked_for()) std::cerr << "step: started\n";
+    if (requested()) std::cerr << "step: started\n";
   }
   UsageForStep(const UsageForStep&) = delete;
   UsageForStep& operator=(const UsageForStep&) = delete;
   ~UsageForStep() {
-    if (!asked_for()) return;
+    if (!requested()) return;
     std::cout.flush();  // the stage's own line comes first
     std::cerr << usage_line() + '\n';
   }
 
  private:
-  static bool asked_for() { return std::getenv("PIAE_STEP") != nullptr; }
+  static bool requested() { return std::getenv("PIAE_STEP") != nullptr; }
 };
 
 }  // namespace

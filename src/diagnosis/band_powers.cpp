@@ -3,7 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include "base/error.hpp"
 #include "spectra/bands.hpp"
@@ -12,6 +12,12 @@
 namespace piae::diagnosis {
 
 using Eigen::Index;
+
+namespace {
+
+constexpr auto stored_columns = static_cast<std::size_t>(number_of_bands);
+
+}  // namespace
 
 BandPowers band_powers(const signal::WindowSet& windows) {
   const auto length = static_cast<Index>(windows.length);
@@ -38,6 +44,39 @@ BandPowers band_powers(const signal::WindowSet& windows) {
     features.row(i).array() -= features.row(i).mean();
   }
   return features;
+}
+
+Eigen::MatrixXd Neighbours::squared_distances(const BandPowers& queries) const {
+  Eigen::MatrixXd squares = known_ * (-2 * queries.transpose());
+  squares.colwise() += squares_;
+  squares.rowwise() += squares_of(queries).transpose();
+  return squares.cwiseMax(0);  // rounding may make them negative
+}
+
+void write_bands(artefact::Writer& writer, const std::string& group, const BandPowers& bands,
+                 const std::vector<Label>& labels) {
+  const std::span<const double> values(bands.data(), static_cast<std::size_t>(bands.size()));
+  writer.numbers(group + "/bands", values, {labels.size(), stored_columns});
+  writer.numbers(group + "/labels", labels);
+}
+
+std::vector<Label> read_labels(const artefact::Reader& reader, const std::string& group,
+                               const signal::DatasetInfo& info) {
+  const std::string path = group + "/labels";
+  std::vector<Label> labels = reader.numbers<Label>(path, {0}).values;
+  if (labels.empty()) reader.refuse(path, "is empty");
+  for (const Label label : labels) {
+    if (label < 0 || index_of(label) >= info.classes.size()) {
+      reader.refuse(path, "has a label that no class has");
+    }
+  }
+  return labels;
+}
+
+BandPowers read_bands(const artefact::Reader& reader, const std::string& group, std::size_t n) {
+  const auto bands = reader.numbers<double>(group + "/bands", {n, stored_columns});
+  return Eigen::Map<const BandPowers>(bands.values.data(), static_cast<Eigen::Index>(n),
+                                      number_of_bands);
 }
 
 }  // namespace piae::diagnosis

@@ -25,7 +25,7 @@ std::vector<std::string> rules();
 
 /// Baseline classifier: its accuracy without generated windows is shown next to all others, because
 /// it needs neither a generator nor a training.
-inline constexpr const char* bar_classifier = nearest.name;
+inline constexpr const char* reference_classifier = nearest.name;
 
 /// Returns all names with their descriptions, as text: "wdcnn (the paper's, on the waveform), ...".
 std::string list_of_classifiers();

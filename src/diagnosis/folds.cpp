@@ -27,13 +27,13 @@ std::vector<std::int32_t> dealt_out(const WindowSet& windows) {
   return folds;
 }
 
-void add(Folds& folds, std::int32_t asked, std::vector<bool> left_out) {
-  folds.asked.push_back(asked);
+void add(Folds& folds, std::int32_t tested, std::vector<bool> left_out) {
+  folds.tested.push_back(tested);
   folds.left_out.push_back(std::move(left_out));
 }
 
-void add(Folds& folds, const std::vector<std::int32_t>& asked) {
-  for (const std::int32_t fold : asked) {
+void add(Folds& folds, const std::vector<std::int32_t>& tested) {
+  for (const std::int32_t fold : tested) {
     std::vector<bool> left_out(number_of_folds);
     left_out[static_cast<std::size_t>(fold)] = true;
     add(folds, fold, std::move(left_out));
@@ -71,11 +71,11 @@ void add_generated(Folds& folds, const WindowSet& generated, std::size_t per_cla
 bool is_possible(const WindowSet& training, const Folds& folds) {
   const std::size_t classes = training.info.classes.size();
   const Label healthy = training.info.healthy_label();
-  std::vector<bool> asked(classes);
+  std::vector<bool> tested(classes);
   for (std::size_t i = 0; i < training.size(); ++i) {
-    if (folds.asked[i] != Folds::none) asked[index_of(training.labels[i])] = true;
+    if (folds.tested[i] != Folds::none) tested[index_of(training.labels[i])] = true;
   }
-  if (std::ranges::count(asked, false) > 0) return false;
+  if (std::ranges::count(tested, false) > 0) return false;
   for (std::size_t fold = 0; fold < number_of_folds; ++fold) {
     std::vector<std::size_t> learned(classes);
     for (std::size_t i = 0; i < training.size(); ++i) {

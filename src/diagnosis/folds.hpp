@@ -25,7 +25,7 @@ struct Folds {
   /// that is never predicted. Healthy windows are cut into blocks of time; the known windows of a
   /// class are dealt out in turn. Generated windows are predicted only if no fault window is known;
   /// they are dealt out in turn, too.
-  std::vector<std::int32_t> asked;
+  std::vector<std::int32_t> tested;
   /// [n][count] folds that must not train on this window: its own fold, and for a generated window
   /// the folds of its parents, because it resembles them. Without recorded parents, it is in all
   /// trainings.

@@ -19,7 +19,7 @@ Calibration calibrated(const Classifier& classifier, const WindowSet& training,
                        const Lessons& lessons, const Relearn& relearn) {
   const Folds folds = folds_of(training, lessons);
   if (!folds.possible) return {};
-  const LeftOut left_out = ask_left_out(
+  const LeftOut left_out = judge_left_out(
       training, folds, [&](const WindowSet& normal, const WindowSet& kept, std::int32_t fold) {
         const Stream own = relearn.stream.child("left-out" + std::to_string(fold));
         return learn(classifier, normal, kept, relearn.options, own, relearn.make_backend,
@@ -36,7 +36,7 @@ bool known_where_tested(const WindowSet& known) {
   return known.size() > 0 && known.info.known_conditions() == known.info.tested_conditions();
 }
 
-std::optional<Strangeness> strangeness_by(const WindowSet& training, const Lessons& lessons) {
+std::optional<Novelty> novelty_by(const WindowSet& training, const Lessons& lessons) {
   if (!known_where_tested(lessons.known)) return std::nullopt;
   const std::size_t real = lessons.normal.size() + lessons.known.size();
   WindowSet reference;
@@ -47,7 +47,7 @@ std::optional<Strangeness> strangeness_by(const WindowSet& training, const Lesso
   while (groups.size() < real) {  // each known fault window is a group of its own
     groups.push_back(Folds::count + static_cast<std::int32_t>(groups.size()));
   }
-  return Strangeness(reference, std::move(groups));
+  return Novelty(reference, std::move(groups));
 }
 
 std::string digest_of(const WindowSet& training) {
@@ -73,7 +73,7 @@ KeptClassifier keep(const Classifier& classifier, std::unique_ptr<Trained> train
           classifier,
           std::move(trained),
           calibrated(classifier, training, lessons, relearn),
-          strangeness_by(training, lessons),
+          novelty_by(training, lessons),
           std::move(origin)};
 }
 

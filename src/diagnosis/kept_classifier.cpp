@@ -63,24 +63,24 @@ signal::WindowSet window_of_noise(const signal::DatasetInfo& info, std::size_t l
   return noise;
 }
 
-std::optional<Strangeness> read_strangeness(const artefact::Reader& reader,
-                                            const signal::DatasetInfo& info) {
+std::optional<Novelty> read_novelty(const artefact::Reader& reader,
+                                    const signal::DatasetInfo& info) {
   if (!reader.has(reference)) return std::nullopt;
-  return Strangeness(reader, reference, info);
+  return Novelty(reader, reference, info);
 }
 
 }  // namespace
 
 KeptClassifier::KeptClassifier(signal::DatasetInfo info, std::size_t length,
                                const Classifier& classifier, std::unique_ptr<Trained> trained,
-                               Calibration calibration, std::optional<Strangeness> strangeness,
+                               Calibration calibration, std::optional<Novelty> novelty,
                                ClassifierOrigin origin)
     : info_(std::move(info)),
       length_(length),
       classifier_(&classifier),
       trained_(std::move(trained)),
       calibration_(calibration),
-      strangeness_(std::move(strangeness)),
+      novelty_(std::move(novelty)),
       origin_(std::move(origin)) {}
 
 KeptClassifier::KeptClassifier(const artefact::Reader& reader)
@@ -90,21 +90,21 @@ KeptClassifier::KeptClassifier(const artefact::Reader& reader)
       trained_(read_learned(*classifier_, reader, info_, length_)),
       calibration_{.temperature = reader.real("/", "temperature", possible_temperature),
                    .windows = reader.integer("/", "left_out_windows", count)},
-      strangeness_(read_strangeness(reader, info_)),
+      novelty_(read_novelty(reader, info_)),
       origin_(read_origin(reader)) {
-  require_answer(reader);
+  require_prediction(reader);
 }
 
-void KeptClassifier::require_answer(const artefact::Reader& reader) {
-  Answers answers;
+void KeptClassifier::require_prediction(const artefact::Reader& reader) {
+  Predictions predictions;
   try {
-    answers = answer(window_of_noise(info_, length_));
+    predictions = predict(window_of_noise(info_, length_));
   } catch (const Error& error) {
     reader.refuse("/", std::string("cannot be asked about a window: ") + error.what());
   }
   const auto is_finite = [](double number) { return std::isfinite(number); };
-  if (!std::ranges::all_of(answers.probabilities, is_finite) ||
-      !std::ranges::all_of(answers.strangeness, is_finite)) {
+  if (!std::ranges::all_of(predictions.probabilities, is_finite) ||
+      !std::ranges::all_of(predictions.novelty, is_finite)) {
     reader.refuse("/", "has no finite answer to a window");
   }
 }
@@ -118,22 +118,21 @@ void KeptClassifier::write(artefact::Writer& writer) const {
   writer.attribute("/", "left_out_windows", calibration_.windows);
   write_origin(writer, origin_);
   trained_->write(writer);
-  if (strangeness_) strangeness_->write(writer, reference);
+  if (novelty_) novelty_->write(writer, reference);
 }
 
 Outputs KeptClassifier::uncalibrated(const signal::WindowSet& windows) {
   return trained_->outputs(windows, "windows to classify");
 }
 
-Answers KeptClassifier::answer(const signal::WindowSet& windows) {
-  Answers answers;
+Predictions KeptClassifier::predict(const signal::WindowSet& windows) {
+  Predictions predictions;
   const std::size_t classes = info_.classes.size();
-  answers.probabilities =
+  predictions.probabilities =
       scoring::tempered(uncalibrated(windows).logits, classes, calibration_.temperature);
-  answers.labels = most_likely(answers.probabilities, classes);
-  answers.strangeness =
-      strangeness_ ? strangeness_->of(windows) : std::vector<double>(windows.size());
-  return answers;
+  predictions.labels = most_likely(predictions.probabilities, classes);
+  predictions.novelty = novelty_ ? novelty_->of(windows) : std::vector<double>(windows.size());
+  return predictions;
 }
 
 }  // namespace piae::diagnosis

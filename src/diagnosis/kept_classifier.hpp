@@ -10,7 +10,7 @@
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "diagnosis/catalogue.hpp"
-#include "diagnosis/strangeness.hpp"
+#include "diagnosis/novelty.hpp"
 #include "signal/protocol.hpp"
 #include "signal/window_set.hpp"
 
@@ -34,10 +34,10 @@ struct Calibration {
 };
 
 /// Output of a kept classifier for n windows.
-struct Answers {
+struct Predictions {
   std::vector<float> probabilities;  ///< row-major [n, classes], calibrated
   /// [n] novelty; above 1 a window resembles nothing in the training set; 0 if unavailable.
-  std::vector<double> strangeness;
+  std::vector<double> novelty;
   std::vector<Label> labels;  ///< [n] the class of the greatest probability
 };
 
@@ -47,7 +47,7 @@ class KeptClassifier {
  public:
   KeptClassifier(signal::DatasetInfo info, std::size_t length, const Classifier& classifier,
                  std::unique_ptr<Trained> trained, Calibration calibration,
-                 std::optional<Strangeness> strangeness, ClassifierOrigin origin);
+                 std::optional<Novelty> novelty, ClassifierOrigin origin);
   /// Throws artefact::Refusal for content that `diagnose` cannot have written, such as a classifier
   /// that cannot use windows of its length or gives outputs that are not finite.
   explicit KeptClassifier(const artefact::Reader& reader);
@@ -59,7 +59,7 @@ class KeptClassifier {
 
   /// Classifies windows of its data set, length() samples each at the rate of info(). Throws as
   /// Trained::outputs() does.
-  Answers answer(const signal::WindowSet& windows);
+  Predictions predict(const signal::WindowSet& windows);
   /// Returns the output without temperature.
   Outputs uncalibrated(const signal::WindowSet& windows);
 
@@ -69,17 +69,17 @@ class KeptClassifier {
   [[nodiscard]] const Calibration& calibration() const { return calibration_; }
   [[nodiscard]] const ClassifierOrigin& origin() const { return origin_; }
   /// Returns the novelty; empty if no fault was known in the tested condition.
-  [[nodiscard]] const std::optional<Strangeness>& strangeness() const { return strangeness_; }
+  [[nodiscard]] const std::optional<Novelty>& novelty() const { return novelty_; }
 
  private:
-  void require_answer(const artefact::Reader& reader);
+  void require_prediction(const artefact::Reader& reader);
 
   signal::DatasetInfo info_;
   std::size_t length_;  ///< samples per window
   const Classifier* classifier_;
   std::unique_ptr<Trained> trained_;
   Calibration calibration_;
-  std::optional<Strangeness> strangeness_;
+  std::optional<Novelty> novelty_;
   ClassifierOrigin origin_;
 };
 

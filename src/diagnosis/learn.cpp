@@ -24,7 +24,7 @@ class WdcnnOfWindows final : public Trained {
       : network_(std::move(network)), length_(length), represent_(represent) {}
 
   Outputs outputs(const signal::WindowSet& windows, const std::string& what) override {
-    return ask_wdcnn(*network_, length_, represent_(windows, what));
+    return predict_by_wdcnn(*network_, length_, represent_(windows, what));
   }
   void write(artefact::Writer& writer) const override {
     diagnosis::write(writer, learned, network_->weights());

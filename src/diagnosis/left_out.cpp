@@ -20,7 +20,7 @@ WindowSet chosen_of(const WindowSet& all, const Chosen& is_chosen) {
 
 }  // namespace
 
-LeftOut ask_left_out(const WindowSet& training, const Folds& folds, const TrainFold& train) {
+LeftOut judge_left_out(const WindowSet& training, const Folds& folds, const TrainFold& train) {
   const Label healthy = training.info.healthy_label();
   LeftOut all;
   for (std::int32_t fold = 0; fold < Folds::count; ++fold) {
@@ -30,12 +30,13 @@ LeftOut ask_left_out(const WindowSet& training, const Folds& folds, const TrainF
     const WindowSet kept = chosen_of(training, is_kept);
     const WindowSet normal =
         chosen_of(kept, [&](std::size_t i) { return kept.labels[i] == healthy; });
-    const WindowSet asked =
-        chosen_of(training, [&](std::size_t i) { return folds.asked[i] == fold; });
-    if (asked.size() == 0) continue;
-    const Outputs outputs = train(normal, kept, fold)->outputs(asked, "a window that was left out");
+    const WindowSet tested =
+        chosen_of(training, [&](std::size_t i) { return folds.tested[i] == fold; });
+    if (tested.size() == 0) continue;
+    const Outputs outputs =
+        train(normal, kept, fold)->outputs(tested, "a window that was left out");
     all.logits.insert(all.logits.end(), outputs.logits.begin(), outputs.logits.end());
-    all.labels.insert(all.labels.end(), asked.labels.begin(), asked.labels.end());
+    all.labels.insert(all.labels.end(), tested.labels.begin(), tested.labels.end());
   }
   return all;
 }

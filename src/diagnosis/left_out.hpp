@@ -24,6 +24,7 @@ using TrainFold = std::function<std::unique_ptr<Trained>(
 
 /// Trains a classifier for each fold, without the windows left out there, and predicts the windows
 /// of that fold.
-LeftOut ask_left_out(const signal::WindowSet& training, const Folds& folds, const TrainFold& train);
+LeftOut judge_left_out(const signal::WindowSet& training, const Folds& folds,
+                       const TrainFold& train);
 
 }  // namespace piae::diagnosis

@@ -17,9 +17,9 @@ using signal::Defect;
 
 constexpr double threshold = 5;
 
-std::size_t place_among_kinds(Defect kind) {
-  return static_cast<std::size_t>(std::ranges::find(symptoms::kinds, kind) -
-                                  symptoms::kinds.begin());
+std::size_t place_among_types(Defect fault_type) {
+  return static_cast<std::size_t>(std::ranges::find(symptoms::fault_types, fault_type) -
+                                  symptoms::fault_types.begin());
 }
 
 /// Returns the class that rule `exclusion` predicts.
@@ -35,7 +35,7 @@ Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
 void require_lines(const DatasetInfo& info) {
   for (const Label label : info.fault_labels()) {
     const signal::ClassInfo& own = info.class_of(label);
-    if (bearing::is_struck(own.defect)) continue;
+    if (bearing::causes_impacts(own.defect)) continue;
     throw Error(Exit::bad_input,
                 fmt::format("class {} of dataset {} has defect '{}', which has no fault line to go "
                             "by; rules name defects of the bearing alone: choose another "
@@ -44,7 +44,7 @@ void require_lines(const DatasetInfo& info) {
   }
 }
 
-void require_one_class_a_kind(const DatasetInfo& info) {
+void require_one_class_a_type(const DatasetInfo& info) {
   const std::vector<Label> faults = info.fault_labels();
   for (auto label = faults.begin(); label != faults.end(); ++label) {
     const signal::ClassInfo& own = info.class_of(*label);
@@ -63,7 +63,7 @@ void require_one_class_a_kind(const DatasetInfo& info) {
 
 std::vector<symptoms::Measures> measured(const signal::WindowSet& normal) {
   require_lines(normal.info);
-  require_one_class_a_kind(normal.info);
+  require_one_class_a_type(normal.info);
   return symptoms::measure(normal, "--normal");
 }
 
@@ -73,7 +73,7 @@ std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, R
   std::vector<float> evidence(info.classes.size(), static_cast<float>(threshold));
   double greatest = 0;
   for (const Label label : info.fault_labels()) {
-    const double excess = findings.excesses.at(place_among_kinds(info.class_of(label).defect));
+    const double excess = findings.excesses.at(place_among_types(info.class_of(label).defect));
     evidence[index_of(label)] = static_cast<float>(excess);
     greatest = std::max(greatest, excess);
   }
@@ -90,14 +90,14 @@ TrainedRule::TrainedRule(const artefact::Reader& reader, const DatasetInfo& info
     : rule_(rule), baselines_(symptoms::Baselines::read(reader, learned, info.sample_rate_hz)) {}
 
 Outputs TrainedRule::outputs(const signal::WindowSet& windows, const std::string& what) {
-  const std::vector<symptoms::Measures> asked = symptoms::measure(windows, what);
+  const std::vector<symptoms::Measures> tested = symptoms::measure(windows, what);
   const std::size_t classes = windows.info.classes.size();
   Outputs all;
   all.scores.resize(windows.size() * classes);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const symptoms::Baseline& baseline = baselines_.at(windows.speed_rpm(i));
-    const Findings findings{.excesses = baseline.excesses(asked[i]),
-                            .novelty = baseline.novelty().of(asked[i].shape_db)};
+    const Findings findings{.excesses = baseline.excesses(tested[i]),
+                            .novelty = baseline.novelty().of(tested[i].shape_db)};
     const std::vector<float> logits = evidence(windows.info, findings, rule_);
     softmax(static_cast<std::int64_t>(classes), logits.data(), all.scores.data() + i * classes);
     all.logits.insert(all.logits.end(), logits.begin(), logits.end());

@@ -18,7 +18,7 @@ namespace piae::diagnosis {
 /// Comparison of one window with healthy windows of its speed (symptoms/baseline.hpp).
 struct Findings {
   /// Height of each fault type's line above the healthy mean, in standard deviations.
-  std::array<double, symptoms::number_of_kinds> excesses{};
+  std::array<double, symptoms::number_of_fault_types> excesses{};
   double novelty = 0;  ///< divided by its threshold: more than 1 is new
 };
 

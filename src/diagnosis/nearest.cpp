@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "diagnosis/stored_bands.hpp"
+#include "diagnosis/band_powers.hpp"
 
 namespace piae::diagnosis {
 
@@ -39,21 +39,22 @@ Outputs Nearest::outputs(const signal::WindowSet& windows, const std::string& wh
                             "both must be the same",
                             what, windows.length, length_));
   }
-  const BandPowers asked = band_powers(windows);
+  const BandPowers window_bands = band_powers(windows);
   Outputs all;
   all.scores.assign(windows.size() * classes_, 0);
   all.logits.assign(windows.size() * classes_, farthest_logit);
-  for (Index begin = 0; begin < asked.rows(); begin += Neighbours::at_a_time) {
-    const Index count = std::min(Neighbours::at_a_time, asked.rows() - begin);
-    const Eigen::MatrixXd squares = training_.squared_distances(asked.middleRows(begin, count));
+  for (Index begin = 0; begin < window_bands.rows(); begin += Neighbours::at_a_time) {
+    const Index count = std::min(Neighbours::at_a_time, window_bands.rows() - begin);
+    const Eigen::MatrixXd squares =
+        training_.squared_distances(window_bands.middleRows(begin, count));
     for (Index i = 0; i < count; ++i) {
-      answer(squares.col(i), static_cast<std::size_t>(begin + i), all);
+      predict(squares.col(i), static_cast<std::size_t>(begin + i), all);
     }
   }
   return all;
 }
 
-void Nearest::answer(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const {
+void Nearest::predict(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const {
   float* const logits = all.logits.data() + window * classes_;
   Index nearest = 0;
   squares.minCoeff(&nearest);

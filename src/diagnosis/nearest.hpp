@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "diagnosis/band_powers.hpp"
 #include "diagnosis/classifier.hpp"
-#include "diagnosis/neighbours.hpp"
 
 namespace piae::diagnosis {
 
@@ -28,7 +28,7 @@ class Nearest final : public Trained {
 
  private:
   /// Adds the output for one window, given its squared distances to the training windows.
-  void answer(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const;
+  void predict(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const;
 
   std::size_t length_;
   std::size_t classes_;

@@ -19,15 +19,14 @@ double calibration_error_of(const std::vector<scoring::Judgement>& judgements) {
       scoring::reliability(judgements, scoring::reliability_bins));
 }
 
-double share_unknown(std::span<const double> strangeness) {
+double share_unknown(std::span<const double> novelty) {
   return static_cast<double>(
-             std::ranges::count_if(strangeness, [](double s) { return s > strangest_known; })) /
-         static_cast<double>(strangeness.size());
+             std::ranges::count_if(novelty, [](double s) { return s > highest_known_novelty; })) /
+         static_cast<double>(novelty.size());
 }
 
-Trust::Untrained untrained(const Strangeness& strangeness, const signal::WindowSet& test,
-                           Label label) {
-  const std::vector<double> all = strangeness.without(label).of(test);
+Trust::Untrained untrained(const Novelty& novelty, const signal::WindowSet& test, Label label) {
+  const std::vector<double> all = novelty.without(label).of(test);
   std::vector<double> own;
   std::vector<double> others;
   for (std::size_t i = 0; i < test.size(); ++i) {
@@ -39,20 +38,20 @@ Trust::Untrained untrained(const Strangeness& strangeness, const signal::WindowS
 }  // namespace
 
 Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
-  const Answers answers = kept.answer(test);
+  const Predictions predictions = kept.predict(test);
   const std::vector<scoring::Judgement> judgements =
-      scoring::judgements_of(answers.probabilities, answers.labels, test.labels);
+      scoring::judgements_of(predictions.probabilities, predictions.labels, test.labels);
   Trust trust;
   trust.accuracy =
       static_cast<double>(std::ranges::count(judgements, true, &scoring::Judgement::right)) /
       static_cast<double>(judgements.size());
   trust.calibration_error = calibration_error_of(judgements);
   trust.raw_calibration_error = calibration_error_of(
-      scoring::judgements_of(kept.uncalibrated(test).scores, answers.labels, test.labels));
-  trust.called_unknown = share_unknown(answers.strangeness);
-  if (!kept.strangeness()) return trust;
+      scoring::judgements_of(kept.uncalibrated(test).scores, predictions.labels, test.labels));
+  trust.called_unknown = share_unknown(predictions.novelty);
+  if (!kept.novelty()) return trust;
   for (const Label label : test.info.fault_labels()) {
-    trust.untrained.emplace(label, untrained(*kept.strangeness(), test, label));
+    trust.untrained.emplace(label, untrained(*kept.novelty(), test, label));
   }
   return trust;
 }

@@ -61,7 +61,7 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
   return {.network = std::move(backend), .training = std::move(training)};
 }
 
-Outputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
+Outputs predict_by_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
   if (windows.size() == 0) {
     throw Error(Exit::bad_input, "WDCNN: no test window; give at least 1");
   }

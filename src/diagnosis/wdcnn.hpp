@@ -29,6 +29,6 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
 /// Returns a network's output; `length` is its input length, samples or bands of spectra. Throws
 /// Error(bad_input) without windows or for windows of another length; Error(failed) if a score is
 /// not finite, as after a training that has diverged.
-Outputs ask_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows);
+Outputs predict_by_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows);
 
 }  // namespace piae::diagnosis

@@ -2,7 +2,7 @@
 
 #include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
-#include "diagnosis/wdcnn_parameters.hpp"
+#include "diagnosis/wdcnn_weights.hpp"
 
 namespace piae::diagnosis {
 

@@ -8,7 +8,7 @@
 
 namespace piae::diagnosis {
 
-/// Place of a parameter of WDCNN (wdcnn_parameters.hpp) in the single array of our own back end. It
+/// Place of a parameter of WDCNN (wdcnn_weights.hpp) in the single array of our own back end. It
 /// is stored as [tap, input, output], with inputs and outputs padded to whole vectors by zeros.
 /// These zeros and their gradients stay zero.
 struct WdcnnParameter {

@@ -5,7 +5,7 @@
 #include "base/label.hpp"
 #include "base/vector.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
-#include "diagnosis/wdcnn_parameters.hpp"
+#include "diagnosis/wdcnn_weights.hpp"
 
 namespace piae::diagnosis {
 

@@ -1,13 +1,32 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
+#include "diagnosis/wdcnn_layers.hpp"
+#include "nets/parameter_spec.hpp"
 
 namespace piae::diagnosis {
+
+/// Returns the name of the i-th layer with batch normalisation: "conv1" to "conv5" for 0 to 4,
+/// "dense" for 5.
+std::string layer_name(std::size_t i);
+
+/// Number of layers with batch normalisation, and the channels of each.
+inline constexpr std::size_t layers_with_normalisation = WdcnnLayers::convolutions.size() + 1;
+std::size_t layer_channels(std::size_t i);
+
+/// Returns the parameters of WDCNN for windows of `length` samples. For conv1 to conv5:
+/// conv1/weight [outputs, inputs, width], and conv1/scale and conv1/shift [outputs] of its batch
+/// normalisation. Then dense/weight [100, features], dense/scale, dense/shift, classes/weight
+/// [classes, 100] and classes/bias. Features are in the order [channel, time]. Weights and the bias
+/// start uniform in +-1/sqrt(inputs of a unit), as LibTorch's layers do, scales at 1 and shifts at
+/// 0.
+std::vector<nets::ParameterSpec> wdcnn_parameters(std::int64_t length, std::int64_t classes);
 
 /// All learned numbers of a WDCNN.
 struct WdcnnWeights {

@@ -33,8 +33,8 @@ Numbers gain_numbers(const std::vector<AccuracyRow>& rows, const std::string& wh
   Numbers numbers({"method", "ceiling", "ratio", "generated_per_class", "seed", what, "low", "high",
                    "published", "published_of"});
   for (const AccuracyRow& row : rows) {
-    const auto beside = report::PaperReference(row.dataset).beside();
-    add_gain(numbers, row, beside ? beside->paper.title : "");
+    const auto counterpart = report::PaperReference(row.dataset).counterpart();
+    add_gain(numbers, row, counterpart ? counterpart->paper.title : "");
   }
   return numbers;
 }
@@ -63,9 +63,9 @@ Numbers gains_of_models(Source& /*source*/, const report::ClassifierRows& shown)
 
 Numbers accuracies(Source& /*source*/, const report::ClassifierRows& shown) {
   std::vector<AccuracyRow> rows = shown.rows;
-  if (shown.bar) {
-    rows.push_back(*shown.bar);
-    rows.back().method = shown.bar->classifier;
+  if (shown.reference_row) {
+    rows.push_back(*shown.reference_row);
+    rows.back().method = shown.reference_row->classifier;
   }
   return gain_numbers(rows, "accuracy");
 }

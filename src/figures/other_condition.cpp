@@ -5,7 +5,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/parallel.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "figures/line_name.hpp"
 #include "figures/stored_windows.hpp"
 #include "figures/view_rows.hpp"
@@ -58,7 +58,7 @@ ConditionSets read_sets(const Source& source) {
     throw LeftOut(real.info.name + " has no [transfer]: faults are tested where they are known");
   }
   WindowSet known =
-      read_windows_beside(real, layout.known_windows(source.shown_seed()), signal::Role::known);
+      read_windows_with(real, layout.known_windows(source.shown_seed()), signal::Role::known);
   std::vector<NamedWindows> generated;
   for (const std::string& method : source.grid().scored) {
     auto windows = read_generated(source, method, real);
@@ -144,11 +144,11 @@ std::vector<NamedView> views_of_rows(const std::vector<ConditionRow>& rows, cons
 /// Adds the lines of a defect in each row, up to the end of the axis.
 void add_lines_of_rows(ViewRows& numbers, const std::vector<ConditionRow>& rows,
                        const DatasetInfo& info, signal::Defect defect, double last_hz) {
-  if (!bearing::is_struck(defect)) return;
+  if (!bearing::causes_impacts(defect)) return;
   for (int harmonic = 1; harmonic <= most_harmonics; ++harmonic) {
     std::vector<std::string> lines;
     for (const ConditionRow& row : rows) {
-      const double hz = harmonic * bearing::strike_frequency_hz(info.bearing, defect, row.rpm);
+      const double hz = harmonic * bearing::impact_frequency_hz(info.bearing, defect, row.rpm);
       lines.push_back(hz > last_hz ? "" : few_digits(hz));
     }
     if (std::ranges::all_of(lines, &std::string::empty)) return;

@@ -12,9 +12,10 @@ namespace {
 /// Returns the accuracies of one run for the cells that both runs have.
 std::vector<report::AccuracyRow> rows_of_side(const run::Layout& side, const run::Layout& other,
                                               const std::string& dataset) {
-  const run::Grid nothing_asked{.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
+  const run::Grid nothing_requested{
+      .dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
   const auto [grid, results] = run::collect_held_diagnoses(
-      side, nothing_asked, run::Held(side, other, {}), run::Classifiers::papers);
+      side, nothing_requested, run::Held(side, other, {}), run::Classifiers::papers);
   require_whole(results);
   return report::accuracy_rows(grid, results, report::Published());
 }
@@ -44,20 +45,20 @@ void add_side(Numbers& numbers, const std::vector<report::AccuracyRow>& rows,
 
 Numbers protocols(Source& source) {
   const run::Layout& here = source.layout();
-  const run::Layout beside = here.blocked();
-  const auto rows = rows_of_side(here, beside, source.grid().dataset);
+  const run::Layout counterpart = here.blocked();
+  const auto rows = rows_of_side(here, counterpart, source.grid().dataset);
   if (rows.empty()) {
     throw LeftOut("there is no run with the other split (make contrast)");
   }
   const std::string own = protocol_of(here, rows.front());
-  const std::string other = protocol_of(beside, rows.front());
+  const std::string other = protocol_of(counterpart, rows.front());
   if (own == other) {
-    throw Error(Exit::bad_input, beside.folder().string() + ": its split is " + other +
+    throw Error(Exit::bad_input, counterpart.folder().string() + ": its split is " + other +
                                      ", as that of the run itself");
   }
   Numbers numbers({"method", "ceiling", "ratio", "protocol", "seed", "accuracy", "low", "high"});
   add_side(numbers, rows, own);
-  add_side(numbers, rows_of_side(beside, here, source.grid().dataset), other);
+  add_side(numbers, rows_of_side(counterpart, here, source.grid().dataset), other);
   return numbers;
 }
 

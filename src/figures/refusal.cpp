@@ -32,8 +32,8 @@ Numbers refusals(Source& source, const report::ClassifierRows& shown) {
   constexpr std::size_t steps = 100;
   Numbers numbers({"method", "ceiling", "ratio", "answered", "precision"});
   for (const auto& [label, row] : report::rows_with_most_windows(shown)) {
-    const bool is_bar = row.classifier != shown.classifier;
-    const std::string name = is_bar ? row.classifier : row.method;
+    const bool is_reference = row.classifier != shown.classifier;
+    const std::string name = is_reference ? row.classifier : row.method;
     const std::string ceiling = augment::is_ceiling(row.method) ? "1" : "0";
     const std::vector<double> precisions = mean_precisions(source, row, steps);
     for (std::size_t step = 0; step < steps; ++step) {

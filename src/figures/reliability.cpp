@@ -49,15 +49,15 @@ void add_bins(Numbers& numbers, const report::AccuracyRow& of,
 Numbers reliabilities(Source& source, const report::ClassifierRows& shown) {
   Numbers numbers({"method", "ceiling", "ratio", "kind", "score_from", "score_to", "windows",
                    "share", "mean_score", "accuracy", "gap"});
-  bool tells = false;
+  bool ranks_answers = false;
   for (const auto& [name, row] : report::rows_with_most_windows(shown)) {
-    const bool is_bar = row.classifier != shown.classifier;
-    if (is_bar) continue;
+    const bool is_reference = row.classifier != shown.classifier;
+    if (is_reference) continue;
     const std::vector<scoring::Judgement> judgements = pooled_judgements(source, row);
-    tells |= scoring::tells(judgements);
+    ranks_answers |= scoring::ranks_answers(judgements);
     add_bins(numbers, row, judgements);
   }
-  if (!tells) throw LeftOut(shown.classifier + " names a class and not how sure it is");
+  if (!ranks_answers) throw LeftOut(shown.classifier + " names a class and not how sure it is");
   return numbers;
 }
 

@@ -16,12 +16,12 @@ void require_whole(const run::Results& results) {
   throw Error(results.exit, fmt::format("{} (and {} more)", first, others));
 }
 
-Source::Source(run::Layout layout, run::Grid asked, report::Published published,
+Source::Source(run::Layout layout, run::Grid requested, report::Published published,
                const std::vector<std::string>& leave_out)
     : layout_(std::move(layout)),
-      asked_(std::move(asked)),
+      requested_(std::move(requested)),
       held_(layout_, leave_out),
-      grid_(held_grid(layout_, asked_, held_)),
+      grid_(held_grid(layout_, requested_, held_)),
       published_(std::move(published)) {
   if (grid_.combinations.empty()) {
     throw Error(Exit::input_missing, layout_.folder().string() + ": holds no cell");
@@ -31,15 +31,16 @@ Source::Source(run::Layout layout, run::Grid asked, report::Published published,
 
 bool Source::has(const std::string& method, std::int64_t seed,
                  const std::filesystem::path& file) const {
-  const bool is_asked = std::ranges::count(asked_.seeds, seed) > 0 &&
-                        std::ranges::count(asked_.combinations, method, &run::Combination::method);
-  return is_asked || held_.has(file);
+  const bool is_requested =
+      std::ranges::count(requested_.seeds, seed) > 0 &&
+      std::ranges::count(requested_.combinations, method, &run::Combination::method);
+  return is_requested || held_.has(file);
 }
 
 std::vector<std::int64_t> Source::seeds_of(const run::Combination& cell) const {
-  const bool is_asked = std::ranges::count(asked_.combinations, cell) > 0;
+  const bool is_requested = std::ranges::count(requested_.combinations, cell) > 0;
   return held_.seeds_with(
-      is_asked ? asked_.seeds : std::vector<std::int64_t>{}, [&](std::int64_t seed) {
+      is_requested ? requested_.seeds : std::vector<std::int64_t>{}, [&](std::int64_t seed) {
         return layout_.diagnosis(cell.method, cell.ratio, seed, cell.classifier);
       });
 }
@@ -60,7 +61,7 @@ std::vector<std::string> Source::inferring_methods() const {
 }
 
 const run::Results& Source::results() {
-  if (!diagnoses_) diagnoses_ = run::collect_held_diagnoses(layout_, asked_, held_);
+  if (!diagnoses_) diagnoses_ = run::collect_held_diagnoses(layout_, requested_, held_);
   return diagnoses_->results;
 }
 
@@ -75,7 +76,7 @@ const std::vector<report::ClassifierRows>& Source::accuracies() {
 
 const std::vector<scoring::QualityRecord>& Source::qualities() {
   if (!qualities_) {
-    run::Results results = run::collect_held_scores(layout_, asked_, held_);
+    run::Results results = run::collect_held_scores(layout_, requested_, held_);
     require_whole(results);
     qualities_ = std::move(results.qualities);
   }

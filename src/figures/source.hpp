@@ -29,7 +29,7 @@ class Source {
  public:
   /// Opens a run; `leave_out` lists stale files, as for run::Held. Throws Error(input_missing) if
   /// no cell is requested and none exists.
-  Source(run::Layout layout, run::Grid asked, report::Published published,
+  Source(run::Layout layout, run::Grid requested, report::Published published,
          const std::vector<std::string>& leave_out = {});
 
   [[nodiscard]] const run::Layout& layout() const { return layout_; }
@@ -71,7 +71,7 @@ class Source {
                                               std::int64_t seed) const;
 
   run::Layout layout_;
-  run::Grid asked_;
+  run::Grid requested_;
   run::Held held_;
   run::Grid grid_;
   report::Published published_;

@@ -12,8 +12,8 @@ WindowSet read_windows(const std::filesystem::path& file, signal::Role role) {
   return windows;
 }
 
-WindowSet read_windows_beside(const WindowSet& real, const std::filesystem::path& file,
-                              signal::Role role) {
+WindowSet read_windows_with(const WindowSet& real, const std::filesystem::path& file,
+                            signal::Role role) {
   WindowSet windows = read_windows(file, role);
   if (windows.length != real.length || windows.info.classes.size() != real.info.classes.size() ||
       windows.info.conditions != real.info.conditions) {
@@ -27,7 +27,7 @@ std::optional<WindowSet> read_generated(const Source& source, const std::string&
   const std::int64_t seed = source.shown_seed();
   const auto file = source.layout().generated_windows(method, seed);
   if (!source.has(method, seed, file)) return std::nullopt;
-  return read_windows_beside(real, file, signal::Role::generated);
+  return read_windows_with(real, file, signal::Role::generated);
 }
 
 }  // namespace piae::figures

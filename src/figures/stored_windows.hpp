@@ -16,8 +16,8 @@ signal::WindowSet read_windows(const std::filesystem::path& file, signal::Role r
 
 /// Reads windows as read_windows() does. Also throws Error(bad_input) unless they are of the
 /// dataset of `real`, which is D.
-signal::WindowSet read_windows_beside(const signal::WindowSet& real,
-                                      const std::filesystem::path& file, signal::Role role);
+signal::WindowSet read_windows_with(const signal::WindowSet& real,
+                                    const std::filesystem::path& file, signal::Role role);
 
 /// Reads the windows that a method generated (E), of the shown seed; empty if the run neither has
 /// nor needs them.

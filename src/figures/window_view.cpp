@@ -79,10 +79,10 @@ Index typical_window(const scoring::Windows& windows) {
   // row.
   const Eigen::VectorXd means = windows.rowwise().mean();
   const Eigen::ArrayXd squares = (windows.colwise() - means).rowwise().squaredNorm();
-  std::vector<Index> by_loudness(static_cast<std::size_t>(windows.rows()));
-  std::iota(by_loudness.begin(), by_loudness.end(), Index{0});
-  std::ranges::stable_sort(by_loudness, {}, [&](Index i) { return squares[i]; });
-  return by_loudness[(by_loudness.size() - 1) / 2];
+  std::vector<Index> by_level(static_cast<std::size_t>(windows.rows()));
+  std::iota(by_level.begin(), by_level.end(), Index{0});
+  std::ranges::stable_sort(by_level, {}, [&](Index i) { return squares[i]; });
+  return by_level[(by_level.size() - 1) / 2];
 }
 
 WindowView view_of(const scoring::Windows& windows, const ViewAxes& axes) {

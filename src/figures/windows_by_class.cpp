@@ -1,7 +1,7 @@
 #include "figures/windows_by_class.hpp"
 
 #include "base/parallel.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "figures/line_name.hpp"
 #include "figures/stored_windows.hpp"
 #include "figures/view_rows.hpp"
@@ -49,7 +49,7 @@ std::vector<NamedView> views_of_class(const std::vector<Origin>& origins, std::s
 
 void add_line(ViewRows& rows, const DatasetInfo& info, Defect defect, bool is_own) {
   const double line_hz =
-      bearing::strike_frequency_hz(info.bearing, defect, info.tested_speed_rpm());
+      bearing::impact_frequency_hz(info.bearing, defect, info.tested_speed_rpm());
   const double shaft_hz = info.tested_speed_rpm() / 60;
   const std::string name = line_name(defect);
   for (int harmonic = 1; harmonic <= ViewAxes::harmonics; ++harmonic) {

@@ -70,7 +70,7 @@ void add_generated(const WindowSet& windows, std::vector<Fact>& facts) {
                        return std::vector<double>(parents.begin(), parents.end());
                      })});
   }
-  if (!windows.strikes_s.empty()) facts.push_back({"strikes_s", windows.strikes_s});
+  if (!windows.impact_times_s.empty()) facts.push_back({"strikes_s", windows.impact_times_s});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ double bin_hz_of(Index bins, double rate_hz) { return rate_hz / 2 / static_cast<
 
 }  // namespace
 
-ArrayXd struck_frame(const std::vector<Impact>& impacts, const ArrayXcd& response, double rate_hz) {
+ArrayXd impact_frame(const std::vector<Impact>& impacts, const ArrayXcd& response, double rate_hz) {
   const Index bins = response.size();
   return samples_of(response * excitation(impacts, bins, bin_hz_of(bins, rate_hz)));
 }

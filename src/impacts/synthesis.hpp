@@ -16,7 +16,7 @@ Eigen::ArrayXcd excitation(const std::vector<Impact>& impacts, Eigen::Index bins
 
 /// Returns the samples of a frame in which impacts excite a structure of this response
 /// (response.hpp).
-Eigen::ArrayXd struck_frame(const std::vector<Impact>& impacts, const Eigen::ArrayXcd& response,
+Eigen::ArrayXd impact_frame(const std::vector<Impact>& impacts, const Eigen::ArrayXcd& response,
                             double rate_hz);
 
 /// Returns the last `length` samples of a frame, in which impacts before the window still ring. The

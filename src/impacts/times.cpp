@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 
 namespace piae::impacts {
 
@@ -21,7 +21,7 @@ constexpr double least_samples = 2;
 
 void require_rate(const signal::DatasetInfo& info, Label label, double rpm) {
   const signal::ClassInfo& c = info.class_of(label);
-  const double hz = bearing::strike_frequency_hz(info.bearing, c.defect, rpm);
+  const double hz = bearing::impact_frequency_hz(info.bearing, c.defect, rpm);
   if (hz * least_samples <= info.sample_rate_hz) return;
   throw Error(
       Exit::bad_input,

@@ -47,11 +47,11 @@ std::optional<CommonFactor> common_factor(const signal::DatasetInfo& info,
   const auto all = static_cast<double>(records.size());
   const auto m = static_cast<double>(most.records.size());
   if (log_chance(m, all) >= std::log(chance_of_agreement)) return std::nullopt;
-  const signal::Defect kind = own_line(info, *most.records.front()).kind;
-  const bool one_kind = std::ranges::all_of(most.records, [&](const RecordCheck* record) {
-    return own_line(info, *record).kind == kind;
+  const signal::Defect fault_type = own_line(info, *most.records.front()).fault_type;
+  const bool one_type = std::ranges::all_of(most.records, [&](const RecordCheck* record) {
+    return own_line(info, *record).fault_type == fault_type;
   });
-  if (one_kind) return std::nullopt;
+  if (one_type) return std::nullopt;
   std::vector<double> factors;
   for (const RecordCheck* record : most.records) factors.push_back(factor_of(record));
   most.factor = spectra::median(std::move(factors));

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "scoring/distributions.hpp"
 
 namespace piae::inspection {
@@ -164,8 +164,8 @@ EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_h
   return spectrum;
 }
 
-std::string line_name(Defect kind) {
-  switch (kind) {
+std::string line_name(Defect fault_type) {
+  switch (fault_type) {
     case Defect::outer:
       return "BPFO";
     case Defect::inner:
@@ -181,12 +181,12 @@ std::string line_name(Defect kind) {
 
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
                        double shaft_speed_rpm) {
-  constexpr std::array kinds{Defect::outer, Defect::inner, Defect::roller};
+  constexpr std::array fault_types{Defect::outer, Defect::inner, Defect::roller};
   FaultLines lines;
   if (!info.has_bearing) return lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    lines.at(i).kind = kinds.at(i);
-    lines.at(i).hz = bearing::strike_frequency_hz(info.bearing, kinds.at(i), shaft_speed_rpm);
+    lines.at(i).fault_type = fault_types.at(i);
+    lines.at(i).hz = bearing::impact_frequency_hz(info.bearing, fault_types.at(i), shaft_speed_rpm);
   }
   const std::vector<double> elsewhere = elsewhere_db(spectrum, lines);
   for (FaultLine& line : lines) {
@@ -207,8 +207,8 @@ FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetIn
   return lines;
 }
 
-const FaultLine& line_of(const FaultLines& lines, Defect kind) {
-  return *std::ranges::find(lines, kind, &FaultLine::kind);
+const FaultLine& line_of(const FaultLines& lines, Defect fault_type) {
+  return *std::ranges::find(lines, fault_type, &FaultLine::fault_type);
 }
 
 const FaultLine* farthest(const FaultLines& lines) {

@@ -21,7 +21,7 @@ EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_h
 
 /// Excess of a defect's line in an envelope spectrum.
 struct FaultLine {
-  signal::Defect kind = signal::Defect::none;
+  signal::Defect fault_type = signal::Defect::none;
   double hz = 0;  ///< expected, at the record's speed without slip
   /// spectra::common_line().mean_db(). Empty if the record is too short for the line or the rate
   /// too low.
@@ -41,14 +41,14 @@ struct FaultLine {
 using FaultLines = std::array<FaultLine, 3>;
 
 /// Returns "BPFO", "BPFI" or "2BSF".
-std::string line_name(signal::Defect kind);
+std::string line_name(signal::Defect fault_type);
 
 /// Returns the measured lines. Without a described bearing, all are at 0 Hz and not measured.
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,
                        double shaft_speed_rpm);
 
 /// Returns the line of a defect, which must have one.
-const FaultLine& line_of(const FaultLines& lines, signal::Defect kind);
+const FaultLine& line_of(const FaultLines& lines, signal::Defect fault_type);
 /// Returns the line that stands out farthest; null if none does.
 const FaultLine* farthest(const FaultLines& lines);
 

@@ -16,7 +16,7 @@ using Lines = std::vector<std::string>;
 
 /// Returns a text such as "BPFI (162.2 Hz, 25.4 dB)".
 std::string shown_line(const FaultLine& line) {
-  return fmt::format("{} ({:.1f} Hz, {:.1f} dB)", line_name(line.kind), line.hz, *line.db);
+  return fmt::format("{} ({:.1f} Hz, {:.1f} dB)", line_name(line.fault_type), line.hz, *line.db);
 }
 
 /// Returns why a line does not stand out.
@@ -54,11 +54,11 @@ std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
 /// Returns a clause with the weakest such line of faulty records, for comparison; empty without
 /// one.
 std::string measure_of(const DatasetInfo& info, const std::vector<RecordCheck>& records,
-                       signal::Defect kind) {
+                       signal::Defect fault_type) {
   std::optional<double> weakest;
   for (const RecordCheck& record : records) {
-    if (info.class_of(record.source.label).defect != kind || !has_lines(record)) continue;
-    const FaultLine& line = line_of(record.lines, kind);
+    if (info.class_of(record.source.label).defect != fault_type || !has_lines(record)) continue;
+    const FaultLine& line = line_of(record.lines, fault_type);
     if (line.db && (!weakest || *line.db < *weakest)) weakest = line.db;
   }
   return weakest ? fmt::format(", the weakest record of such a fault {:.1f}", *weakest) : "";
@@ -75,27 +75,27 @@ void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& 
         "{}: healthy, but {} stands out: noise alone reaches {:.1f}{}; the label may be wrong, or "
         "the bearing not quite sound",
         place_of(record.source), shown_line(*first), first->noise_db,
-        measure_of(info, records, first->kind)));
+        measure_of(info, records, first->fault_type)));
   }
 }
 
 /// Reports once that most faulty records miss their line, because they share the cause.
-std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t asked) {
+std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t candidates) {
   return fmt::format(
       "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
       "sample_rate_hz or [bearing] may be wrong, or the labels",
-      asked - odd.size(), asked, names_of(odd));
+      candidates - odd.size(), candidates, names_of(odd));
 }
 
 /// Reports lines that are off by a common factor: the speed or the rate is wrong by it.
-std::string shared_factor(const CommonFactor& common, std::size_t asked) {
+std::string shared_factor(const CommonFactor& common, std::size_t candidates) {
   const signal::RecordSource& first = common.records.front()->source;
   return fmt::format(
       "{} of {} faulty records show the line of their class at {:.3g} times its place ({}): for "
       "{}, "
       "shaft_speed_rpm = {:.4g} in place of {:g} would fit, or sample_rate_hz = {:.4g} in place of "
       "{:g}",
-      common.records.size(), asked, common.factor, names_of(common.records), first.name,
+      common.records.size(), candidates, common.factor, names_of(common.records), first.name,
       first.shaft_speed_rpm * common.factor, first.shaft_speed_rpm,
       first.sample_rate_hz / common.factor, first.sample_rate_hz);
 }
@@ -105,24 +105,24 @@ std::string shared_factor(const CommonFactor& common, std::size_t asked) {
 std::vector<std::string> line_warnings(const DatasetInfo& info,
                                        const std::vector<RecordCheck>& records) {
   Lines lines;
-  std::vector<const RecordCheck*> asked;
+  std::vector<const RecordCheck*> candidates;
   std::vector<const RecordCheck*> odd;
   for (const RecordCheck& record : records) {
     const signal::Defect defect = info.class_of(record.source.label).defect;
-    if (!bearing::is_struck(defect) || !has_lines(record)) continue;
+    if (!bearing::causes_impacts(defect) || !has_lines(record)) continue;
     if (!line_of(record.lines, defect).db) continue;
-    asked.push_back(&record);
+    candidates.push_back(&record);
     std::string oddity = oddity_of_fault(record, defect);
     if (oddity.empty()) continue;
     odd.push_back(&record);
     lines.push_back(std::move(oddity));
   }
-  if (const auto common = common_factor(info, asked)) {
-    return {shared_factor(*common, asked.size())};
+  if (const auto common = common_factor(info, candidates)) {
+    return {shared_factor(*common, candidates.size())};
   }
   constexpr std::size_t few = 2;
-  if (odd.size() > few && 4 * odd.size() >= 3 * asked.size()) {
-    return {shared_oddity(odd, asked.size())};
+  if (odd.size() > few && 4 * odd.size() >= 3 * candidates.size()) {
+    return {shared_oddity(odd, candidates.size())};
   }
   add_healthy_lines(info, records, lines);
   return lines;

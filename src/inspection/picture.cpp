@@ -63,7 +63,7 @@ void draw_wave(Svg& svg, const RecordCheck& record, const DatasetInfo& info, dou
 std::string row_title(const RecordCheck& record, signal::Defect own) {
   std::string title = fmt::format("{} ({})", record.source.name, record.source.file_text());
   if (own == signal::Defect::none) return title + ", healthy";
-  if (!bearing::is_struck(own)) return title + ", no fault of the bearing";
+  if (!bearing::causes_impacts(own)) return title + ", no fault of the bearing";
   const FaultLine& line = line_of(record.lines, own);
   title += fmt::format(", {} {:.1f} Hz", line_name(own), line.hz);
   return line.db ? title + fmt::format(": {:.1f} dB", *line.db) : title;

@@ -40,7 +40,7 @@ void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axi
   if (!lines_are_known(lines)) return;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const FaultLine& line = lines.at(i);
-    const bool is_own = line.kind == own;
+    const bool is_own = line.fault_type == own;
     Stroke stroke = line_strokes.at(i);
     stroke.width = is_own ? 2.4 : 1;
     const auto higher =
@@ -50,7 +50,7 @@ void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axi
       const double at = x.at(n * line.hz);
       if (at > x.to) break;
       svg.line({at, name_y + 1}, {at, panel.top + panel.height}, stroke);
-      const std::string name = n == 1 ? line_name(line.kind) : std::to_string(n);
+      const std::string name = n == 1 ? line_name(line.fault_type) : std::to_string(n);
       svg.text({at + 3, name_y}, name, Anchor::start, 10, is_own);
     }
   }
@@ -78,7 +78,7 @@ void draw_line_legend(Svg& svg, const FaultLines& lines, Point at, const std::st
     Stroke stroke = line_strokes.at(i);
     stroke.width = 2;
     svg.line({at.x, at.y - 4}, {at.x + 34, at.y - 4}, stroke);
-    svg.text({at.x + 40, at.y}, line_name(lines.at(i).kind));
+    svg.text({at.x + 40, at.y}, line_name(lines.at(i).fault_type));
     at.x += 92;
   }
   svg.text(at, "2, 3: harmonics; thick: " + thick);

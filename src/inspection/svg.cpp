@@ -4,29 +4,11 @@
 
 #include <array>
 
+#include "text/escape.hpp"
+
 namespace piae::inspection {
 
 namespace {
-
-std::string xml_text(const std::string& plain) {
-  std::string text;
-  for (const char c : plain) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
-}
 
 std::string attributes_of(const Stroke& stroke) {
   return fmt::format(
@@ -42,7 +24,7 @@ Svg::Svg(double width, double height, const std::string& title)
                       "viewBox=\"0 0 {0:g} {1:g}\" font-family=\"sans-serif\" role=\"img\">\n"
                       "<title>{2}</title>\n"
                       "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"#ffffff\"/>\n",
-                      width, height, xml_text(title))) {}
+                      width, height, text::markup_text(title))) {}
 
 void Svg::line(Point from, Point to, const Stroke& stroke) { polyline({from, to}, stroke); }
 
@@ -71,7 +53,7 @@ void Svg::text(Point at, const std::string& words, Anchor anchor, double size, b
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\" text-anchor=\"{}\"{} fill=\"#222222\">{}"
       "</text>\n",
       at.x, at.y, size, anchors.at(static_cast<std::size_t>(anchor)),
-      bold ? " font-weight=\"bold\"" : "", xml_text(words));
+      bold ? " font-weight=\"bold\"" : "", text::markup_text(words));
 }
 
 std::string Svg::str() const { return head_ + body_ + "</svg>\n"; }

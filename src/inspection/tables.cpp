@@ -104,7 +104,7 @@ std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
             fmt::format("{:.6g}", record.source.shaft_speed_rpm)};
     for (const FaultLine& line : record.lines) {
       row.push_back(fmt::format("{:.2f}", line.hz));
-      const std::string mark = line.kind == own ? "*" : "";
+      const std::string mark = line.fault_type == own ? "*" : "";
       row.push_back(mark + (line.db ? fmt::format("{:.1f}", *line.db) : "-"));
     }
     const double noise_db = std::ranges::max(record.lines, {}, &FaultLine::noise_db).noise_db;

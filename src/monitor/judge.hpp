@@ -13,7 +13,7 @@
 namespace piae::monitor {
 
 /// Classifies windows that are not constant.
-using Answer = std::function<diagnosis::Answers(const signal::WindowSet&)>;
+using Predict = std::function<diagnosis::Predictions(const signal::WindowSet&)>;
 
 /// Judges successive windows: updates the alarm and makes a decision at regular intervals.
 class Judge {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/range.hpp"
-#include "diagnosis/strangeness.hpp"
+#include "diagnosis/novelty.hpp"
 #include "signal/amplitude.hpp"
 #include "signal/ranges.hpp"
 
@@ -54,11 +54,11 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   bind(command.in_group("Alarm"), options.alarm);
 }
 
-Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
+Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Predict predict,
                  const MonitorOptions& options, const std::string& stream)
     : info_(info),
       length_(length),
-      answer_(std::move(answer)),
+      predict_(std::move(predict)),
       rate_hz_(options.sample_rate_hz),
       speed_rpm_(options.speed_rpm),
       decoder_(options.format, stream, options.sample_rate_hz),
@@ -73,20 +73,20 @@ double Monitor::window_s() const { return static_cast<double>(length_) / info_.s
 
 double Monitor::signal_s() const { return static_cast<double>(samples_) / rate_hz_; }
 
-void Monitor::add(std::span<const std::byte> bytes, const Say& say) {
+void Monitor::add(std::span<const std::byte> bytes, const Report& report) {
   decoded_.clear();
   decoder_.add(bytes, decoded_);
-  take(decoded_, say);
+  take(decoded_, report);
 }
 
-void Monitor::take(std::span<const double> samples, const Say& say) {
+void Monitor::take(std::span<const double> samples, const Report& report) {
   while (!samples.empty()) {
     const auto first_bad = std::ranges::find_if_not(samples, is_sample);
     const auto good = static_cast<std::size_t>(first_bad - samples.begin());
     resampled_.clear();
     resampler_.add(samples.first(good), resampled_);
     samples_ += good;
-    judge_windows(say);
+    judge_windows(report);
     samples = samples.subspan(good);
     if (samples.empty()) return;
     const auto next_good = std::ranges::find_if(samples, is_sample);
@@ -106,21 +106,21 @@ void Monitor::skip() {
 void Monitor::begin_anew() {
   resampler_ = signal::StreamResampler(rate_hz_, info_.sample_rate_hz);
   cutter_.restart();
-  begun_at_s_ = signal_s();
+  started_at_s_ = signal_s();
 }
 
-void Monitor::finish(const Say& say) {
+void Monitor::finish(const Report& report) {
   decoded_.clear();
   decoder_.finish(decoded_);
-  take(decoded_, say);
+  take(decoded_, report);
   resampled_.clear();
   resampler_.finish(resampled_);
-  judge_windows(say);
-  if (const auto decision = judge_.finish()) say(*decision);
+  judge_windows(report);
+  if (const auto decision = judge_.finish()) report(*decision);
 }
 
 /// Judges the windows that the resampled samples complete.
-void Monitor::judge_windows(const Say& say) {
+void Monitor::judge_windows(const Report& report) {
   cutter_.add(resampled_);
   for (;;) {
     std::vector<Cut> cuts;
@@ -132,7 +132,7 @@ void Monitor::judge_windows(const Say& say) {
       if (!window) break;
       const auto end = static_cast<double>(window->first_sample + length_);
       cuts.push_back(
-          {begun_at_s_ + end / info_.sample_rate_hz, signal::is_constant(window->samples)});
+          {started_at_s_ + end / info_.sample_rate_hz, signal::is_constant(window->samples)});
       if (cuts.back().silent) continue;
       moving.samples.insert(moving.samples.end(), window->samples.begin(), window->samples.end());
       moving.labels.push_back(info_.healthy_label());
@@ -140,24 +140,24 @@ void Monitor::judge_windows(const Say& say) {
     moving.shaft_speed_rpm.assign(moving.size(), speed_rpm_);
     moving.condition.assign(moving.size(), signal::every_condition);
     if (cuts.empty()) return;
-    judge_cuts(cuts, moving.size() > 0 ? answer_(moving) : diagnosis::Answers{}, say);
+    judge_cuts(cuts, moving.size() > 0 ? predict_(moving) : diagnosis::Predictions{}, report);
   }
 }
 
-/// Judges the windows in their order; `answers` covers those that are not silent.
-void Monitor::judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Answers& answers,
-                         const Say& say) {
+/// Judges the windows in their order; `predictions` covers those that are not silent.
+void Monitor::judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Predictions& predictions,
+                         const Report& report) {
   const std::size_t classes = info_.classes.size();
   std::size_t answered = 0;
   for (const Cut& cut : cuts) {
     Judge::Finding finding;
     finding.end_s = cut.end_s;
     if (!cut.silent) {
-      finding.classes = std::span(answers.probabilities).subspan(answered * classes, classes);
-      finding.unknown = answers.strangeness[answered] > diagnosis::strangest_known;
+      finding.classes = std::span(predictions.probabilities).subspan(answered * classes, classes);
+      finding.unknown = predictions.novelty[answered] > diagnosis::highest_known_novelty;
       ++answered;
     }
-    if (const auto decision = judge_.add(finding)) say(*decision);
+    if (const auto decision = judge_.add(finding)) report(*decision);
   }
 }
 

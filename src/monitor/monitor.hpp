@@ -32,20 +32,20 @@ void bind(const cli::Options& command, MonitorOptions& options);
 /// that the next window needs. The decisions do not depend on how the stream was cut into pieces.
 class Monitor {
  public:
-  /// Takes the classifier's `info` and `length` (samples in a window); `answer` returns its
+  /// Takes the classifier's `info` and `length` (samples in a window); `predict` returns its
   /// predictions. `stream` is the name in messages.
-  Monitor(const signal::DatasetInfo& info, std::size_t length, Answer answer,
+  Monitor(const signal::DatasetInfo& info, std::size_t length, Predict predict,
           const MonitorOptions& options, const std::string& stream);
 
-  using Say = std::function<void(const Decision&)>;
+  using Report = std::function<void(const Decision&)>;
 
   /// Adds the next bytes. Samples that are not finite or exceed 1e36, and lines of text that are
   /// not a number, are a gap: no window spans a gap. Throws like SampleDecoder::add.
-  void add(std::span<const std::byte> bytes, const Say& say);
+  void add(std::span<const std::byte> bytes, const Report& report);
   /// Marks a break: the next bytes do not continue the previous ones.
   void skip();
   /// Judges the rest at the end of the stream.
-  void finish(const Say& say);
+  void finish(const Report& report);
 
   [[nodiscard]] const Judge& judge() const { return judge_; }
   /// Returns the number of samples so far, at the stream's own rate.
@@ -60,19 +60,20 @@ class Monitor {
   [[nodiscard]] const SampleDecoder& decoder() const { return decoder_; }
 
  private:
-  void take(std::span<const double> samples, const Say& say);
+  void take(std::span<const double> samples, const Report& report);
   void begin_anew();
   /// A window of the stream. Silent (constant) windows are not passed to the classifier.
   struct Cut {
     double end_s = 0;
     bool silent = false;
   };
-  void judge_windows(const Say& say);
-  void judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Answers& answers, const Say& say);
+  void judge_windows(const Report& report);
+  void judge_cuts(const std::vector<Cut>& cuts, const diagnosis::Predictions& predictions,
+                  const Report& report);
 
   signal::DatasetInfo info_;
   std::size_t length_;
-  Answer answer_;
+  Predict predict_;
   double rate_hz_;
   double speed_rpm_;
   SampleDecoder decoder_;
@@ -80,7 +81,7 @@ class Monitor {
   WindowCutter cutter_;
   Judge judge_;
 
-  double begun_at_s_ = 0;  ///< stream time of the cutter's sample 0
+  double started_at_s_ = 0;  ///< stream time of the cutter's sample 0
   std::uint64_t samples_ = 0;
   std::uint64_t not_finite_ = 0;
   std::vector<double> decoded_;

@@ -8,7 +8,7 @@ namespace piae::monitor {
 double SampleClock::late_by(double now_s, std::uint64_t samples) {
   const double lag_s = now_s - static_cast<double>(samples) / rate_hz_;
   const double since_s = now_s - std::exchange(last_s_, now_s);
-  if (!std::exchange(begun_, true)) {
+  if (!std::exchange(started_, true)) {
     least_lag_s_ = lag_s;
     return 0;
   }

@@ -25,7 +25,7 @@ class SampleClock {
  private:
   double rate_hz_;
   double late_s_;
-  bool begun_ = false;
+  bool started_ = false;
   double last_s_ = 0;
   double least_lag_s_ = 0;
   std::size_t times_ = 0;

@@ -33,15 +33,15 @@ class Punctuality {
   void samples_came(std::uint64_t all, double signal_s) {
     if (!options_.realtime) return;
     last_s_ = now_s();
-    told_of_silence_ = false;
+    reported_silence_ = false;
     const double late_s = clock_.late_by(*last_s_, all);
     if (late_s > 0)
       spdlog::warn("after {:.1f} s of signal the samples are {:.1f} s late", signal_s, late_s);
   }
 
   void nothing_came(double signal_s) {
-    if (!last_s_ || told_of_silence_ || now_s() - *last_s_ <= options_.late_s) return;
-    told_of_silence_ = true;
+    if (!last_s_ || reported_silence_ || now_s() - *last_s_ <= options_.late_s) return;
+    reported_silence_ = true;
     spdlog::warn("after {:.1f} s of signal no samples come", signal_s);
   }
 
@@ -56,7 +56,7 @@ class Punctuality {
   WatchOptions options_;
   SampleClock clock_;
   std::optional<double> last_s_;
-  bool told_of_silence_ = false;
+  bool reported_silence_ = false;
 };
 
 std::string counted(std::uint64_t n, const std::string& one) {
@@ -100,15 +100,15 @@ class Gaps {
     const bool has_waited = monitor_->signal_s() > windows_to_wait * monitor_->window_s();
     if (!has_windows && !has_waited) return;
     const TextSamples& text = monitor_->decoder().text();
-    if (text.garbled() > 0 && !std::exchange(told_of_lines_, true)) {
+    if (text.garbled() > 0 && !std::exchange(reported_lines_, true)) {
       spdlog::warn("{}; such lines are gaps", text.first_garbled());
     }
-    if (has_windows && !std::exchange(told_of_format_, true)) {
+    if (has_windows && !std::exchange(reported_format_, true)) {
       const std::string other = other_format(*monitor_);
       if (!other.empty()) spdlog::warn("the samples have odd sizes{}", other);
     }
     if (has_windows || monitor_->samples_not_finite() == 0) return;
-    if (!std::exchange(told_of_samples_, true)) {
+    if (!std::exchange(reported_samples_, true)) {
       spdlog::warn("after {:.1f} s of signal, non-finite samples broke every window{}",
                    monitor_->signal_s(), other_format(*monitor_));
     }
@@ -116,12 +116,12 @@ class Gaps {
 
  private:
   const Monitor* monitor_;
-  bool told_of_lines_ = false;
-  bool told_of_format_ = false;
-  bool told_of_samples_ = false;
+  bool reported_lines_ = false;
+  bool reported_format_ = false;
+  bool reported_samples_ = false;
 };
 
-std::string heard(const Monitor& monitor, const std::string& until) {
+std::string summary_of(const Monitor& monitor, const std::string& until) {
   return fmt::format("{} in {:.1f} s of signal until {}: {}; ",
                      counted(monitor.judge().windows(), "window"), monitor.signal_s(), until,
                      counted(monitor.judge().alarms(), "alarm"));
@@ -158,7 +158,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
                   const std::function<void(const std::string&)>& write) {
   std::vector<std::byte> buffer(bytes_at_once);
   std::string lines;
-  const auto say = [&](const Decision& decision) { lines += json_line(decision, info); };
+  const auto report = [&](const Decision& decision) { lines += json_line(decision, info); };
   const auto write_lines = [&] {
     if (!lines.empty()) write(lines);
     lines.clear();
@@ -171,7 +171,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
     const Input::Piece piece = input.read(buffer);
     switch (piece.event) {
       case Input::Event::bytes:
-        monitor.add(piece.bytes, say);
+        monitor.add(piece.bytes, report);
         punctuality.samples_came(monitor.samples(), monitor.signal_s());
         gaps.samples_came();
         break;
@@ -192,11 +192,11 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
     }
     write_lines();
   }
-  monitor.finish(say);
+  monitor.finish(report);
   write_lines();
   if (ended) require_windows(monitor, input);
-  return heard(monitor, ended ? "its end" : "it was told to stop") + lost(monitor, breaks, ended) +
-         punctuality.summary();
+  return summary_of(monitor, ended ? "its end" : "it was told to stop") +
+         lost(monitor, breaks, ended) + punctuality.summary();
 }
 
 }  // namespace piae::monitor

@@ -38,18 +38,18 @@ std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path
   return std::nullopt;
 }
 
-HoleState state_of(const run::StepLog& log) {
+MissingState state_of(const run::StepLog& log) {
   switch (log.end) {
     case run::StepEnd::failed:
-      return HoleState::failed;
+      return MissingState::failed;
     case run::StepEnd::interrupted:
-      return HoleState::interrupted;
+      return MissingState::interrupted;
     case run::StepEnd::open:
-      return HoleState::open;
+      return MissingState::open;
     case run::StepEnd::done:  // and its file was removed later
       break;
   }
-  return HoleState::not_begun;
+  return MissingState::not_started;
 }
 
 /// True if `c` can be part of a path. Text after such a character does not start a path.
@@ -74,7 +74,7 @@ CellNames::value_type key_of(const run::CellName& name) {
 }
 
 /// Returns the cells that were read or left out.
-CellNames no_holes(const run::Results& results) {
+CellNames none_missing(const run::Results& results) {
   CellNames names;
   for (const run::Diagnosis& cell : results.diagnoses) {
     names.insert({cell.method, cell.ratio, cell.seed, cell.classifier});
@@ -107,23 +107,24 @@ bool is_among(const run::Grid& grid, const run::CellName& name) {
 }
 
 /// Returns the cells that were requested or started, and could not be read.
-std::vector<Hole> holes_in(const fs::path& run, const run::Grid& asked,
-                           const DatasetContents& contents) {
+std::vector<MissingCell> missing_cells_in(const fs::path& run, const run::Grid& requested,
+                                          const DatasetContents& contents) {
   const run::Layout layout(run, contents.name);
-  std::vector<run::CellName> names = cells_of(asked);
+  std::vector<run::CellName> names = cells_of(requested);
   for (run::CellName& name : cells_of(contents.grid)) {
-    if (!is_among(asked, name)) names.push_back(std::move(name));
+    if (!is_among(requested, name)) names.push_back(std::move(name));
   }
-  const CellNames whole = no_holes(contents.results);
+  const CellNames whole = none_missing(contents.results);
   const ProblemsByFile problems(layout, contents.results.problems);
-  std::vector<Hole> holes;
+  std::vector<MissingCell> missing_cells;
   for (const run::CellName& name : names) {
     if (whole.contains(key_of(name))) continue;
-    Hole hole = hole_of(run, layout, name, problems);
-    const bool counts = is_among(asked, name) || hole.state != HoleState::not_begun;
-    if (counts) holes.push_back(std::move(hole));
+    MissingCell missing_cell = as_missing_cell(run, layout, name, problems);
+    const bool counts =
+        is_among(requested, name) || missing_cell.state != MissingState::not_started;
+    if (counts) missing_cells.push_back(std::move(missing_cell));
   }
-  return holes;
+  return missing_cells;
 }
 
 /// Reads "ROLE FILE DIGEST", the format of an artefact's inputs in its provenance.
@@ -179,36 +180,37 @@ std::string ProblemsByFile::with(const fs::path& file) const {
   return found == problems_.end() ? "" : found->second;
 }
 
-Hole hole_of(const fs::path& run, const run::Layout& layout, const run::CellName& name,
-             const ProblemsByFile& problems) {
+MissingCell as_missing_cell(const fs::path& run, const run::Layout& layout,
+                            const run::CellName& name, const ProblemsByFile& problems) {
   const fs::path file = file_of(layout, name);
-  Hole hole{.name = name};
+  MissingCell missing_cell{.name = name};
   if (fs::exists(file)) {
-    hole.state = HoleState::refused;
-    hole.why = below_run(problems.with(file), run);
-    return hole;
+    missing_cell.state = MissingState::refused;
+    missing_cell.why = below_run(problems.with(file), run);
+    return missing_cell;
   }
   const std::optional<fs::path> path = log_on_the_way(layout, file);
-  if (!path) return hole;
+  if (!path) return missing_cell;
   const run::StepLog log = run::read_step_log(*path);
-  hole.state = state_of(log);
-  hole.stage = log.stage;
-  hole.why = below_run(log.reason, run);
-  hole.log = path->lexically_relative(run);
-  return hole;
+  missing_cell.state = state_of(log);
+  missing_cell.stage = log.stage;
+  missing_cell.why = below_run(log.reason, run);
+  missing_cell.log = path->lexically_relative(run);
+  return missing_cell;
 }
 
-DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
+DatasetContents read_dataset(const fs::path& run, const run::Grid& requested,
                              const std::vector<std::string>& leave_out,
                              const report::Published& published) {
-  const run::Layout layout(run, asked.dataset);
-  DatasetContents contents{.name = asked.dataset};
+  const run::Layout layout(run, requested.dataset);
+  DatasetContents contents{.name = requested.dataset};
   const auto note = [&](const artefact::Reader& cell) {
     ++contents.builds[build_of(cell)];
     const bool is_score = cell.kind() == "score";
     (is_score ? contents.score_digests : contents.diagnosis_digests).push_back(cell.digest());
   };
-  run::Collected collected = run::collect_held(layout, asked, run::Held(layout, leave_out), note);
+  run::Collected collected =
+      run::collect_held(layout, requested, run::Held(layout, leave_out), note);
   contents.grid = std::move(collected.grid);
   contents.results = std::move(collected.results);
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
@@ -216,7 +218,7 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& asked,
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);
-  contents.holes = holes_in(run, asked, contents);
+  contents.missing_cells = missing_cells_in(run, requested, contents);
   read_records(run, contents);
   return contents;
 }

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "page/asked.hpp"
+#include "page/requested_cells.hpp"
 #include "report/accuracies.hpp"
 #include "report/recommendation.hpp"
 #include "run/collect.hpp"
@@ -19,19 +19,19 @@
 namespace piae::page {
 
 /// Why a cell is missing.
-enum class HoleState {
+enum class MissingState {
   failed,       ///< a step on the way to it failed
   refused,      ///< it exists but is damaged, belongs to another cell, or was made under other
                 ///< conditions
   interrupted,  ///< a step was stopped; the same command continues from there
   open,         ///< a step is running, or was killed
-  not_begun
+  not_started
 };
 
 /// A cell of the grid that is missing from all numbers of a page, and why.
-struct Hole {
+struct MissingCell {
   run::CellName name;  ///< the ratio is empty for a score
-  HoleState state = HoleState::not_begun;
+  MissingState state = MissingState::not_started;
   std::string stage = {};          ///< stage that is not done; empty for a refused cell
   std::string why = {};            ///< reason of a failed or refused cell
   std::filesystem::path log = {};  ///< relative to the folder of the run; empty if none
@@ -50,8 +50,8 @@ class ProblemsByFile {
 
 /// Returns why a cell has no number in the results. `problems` are the errors from collecting it.
 /// Paths are relative to the folder of the run, so that the text is the same in any folder.
-Hole hole_of(const std::filesystem::path& run, const run::Layout& layout, const run::CellName& name,
-             const ProblemsByFile& problems);
+MissingCell as_missing_cell(const std::filesystem::path& run, const run::Layout& layout,
+                            const run::CellName& name, const ProblemsByFile& problems);
 
 /// Removes the folder of the run from each path in a text.
 std::string below_run(std::string text, const std::filesystem::path& run);
@@ -82,7 +82,7 @@ struct DatasetContents {
   std::vector<std::string> diagnosis_digests = {};  ///< of the contents of results.diagnoses
   std::vector<std::string> score_digests = {};      ///< of the contents of results.qualities
   std::map<Build, std::size_t> builds = {};         ///< number of cells by build
-  std::vector<Hole> holes = {};
+  std::vector<MissingCell> missing_cells = {};
   std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
   std::vector<std::string> verdict = {};       ///< sentences; the conditions come first
   std::vector<report::Recommendation> recommendations = {};  ///< by ratio
@@ -94,7 +94,7 @@ struct DatasetContents {
 /// Reads all cells of a dataset, its records and the logs of missing cells. Missing or damaged
 /// files are not errors but missing cells (Hole). `leave_out` are files that are out of date, as
 /// for run::Held.
-DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& asked,
+DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& requested,
                              const std::vector<std::string>& leave_out,
                              const report::Published& published);
 

@@ -69,10 +69,10 @@ std::map<std::string, Reason> reasons_in_log(const fs::path& run, const fs::path
   std::istringstream lines(text::read_file(log));
   for (std::string line; std::getline(lines, line);) {
     const auto take = [&](const std::string& before, const std::string& after, bool is_left_out) {
-      const std::size_t said = line.find(after);
-      if (!line.starts_with(before) || said == std::string::npos) return;
-      const std::string name = line.substr(before.size(), said - before.size());
-      reasons[name] = {below_run(line.substr(said + after.size()), run), is_left_out};
+      const std::size_t end_of_name = line.find(after);
+      if (!line.starts_with(before) || end_of_name == std::string::npos) return;
+      const std::string name = line.substr(before.size(), end_of_name - before.size());
+      reasons[name] = {below_run(line.substr(end_of_name + after.size()), run), is_left_out};
     };
     take("figures: ", " is not drawn: ", false);
     take("left out ", ": ", true);

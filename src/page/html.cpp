@@ -6,6 +6,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "text/escape.hpp"
+
 namespace piae::page {
 
 namespace {
@@ -26,7 +28,7 @@ std::string line_end_after(const std::string& name) {
 std::string attributes_text(const Attributes& attributes) {
   std::string text;
   for (const Attribute& attribute : attributes) {
-    text += " " + attribute.name + "=\"" + escaped(attribute.value) + "\"";
+    text += " " + attribute.name + "=\"" + text::markup_text(attribute.value) + "\"";
   }
   return text;
 }
@@ -45,8 +47,8 @@ bool must_be_encoded(char c) {
 
 }  // namespace
 
-Html::Html(const std::string& plain) : text_(escaped(plain)) {}
-Html::Html(const char* plain) : text_(escaped(plain)) {}
+Html::Html(const std::string& plain) : text_(text::markup_text(plain)) {}
+Html::Html(const char* plain) : text_(text::markup_text(plain)) {}
 
 Html Html::markup(std::string text) {
   Html html;
@@ -65,30 +67,6 @@ Html joined(const std::vector<Html>& pieces) {
   Html all;
   for (const Html& piece : pieces) all += piece;
   return all;
-}
-
-std::string escaped(const std::string& plain) {
-  std::string text;
-  text.reserve(plain.size());
-  for (const char c : plain) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
 }
 
 Html element(const std::string& name, const Attributes& attributes, const Html& content) {

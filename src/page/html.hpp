@@ -30,10 +30,6 @@ Html operator+(Html first, const Html& second);
 /// Returns all pieces in a row.
 Html joined(const std::vector<Html>& pieces);
 
-/// Escapes special characters of HTML, for text and for attribute values in double quotes, as
-/// element() writes them.
-std::string escaped(const std::string& plain);
-
 /// An attribute. The value is plain text; element() escapes it.
 struct Attribute {
   std::string name;

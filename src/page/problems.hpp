@@ -10,9 +10,9 @@
 namespace piae::page {
 
 /// Cells that are missing for the same reason.
-struct HoleGroup {
+struct MissingGroup {
   std::string dataset = {};
-  HoleState state = HoleState::not_begun;
+  MissingState state = MissingState::not_started;
   std::string stage = {};                 ///< stage that is not done
   std::vector<std::string> methods = {};  ///< in the order of the grid, named by run::name_by()
   std::vector<std::string> ratios = {};   ///< ratios of the diagnoses
@@ -25,13 +25,13 @@ struct HoleGroup {
 
 /// Returns the missing cells in groups, failed and refused ones first. Each method and stage is a
 /// group; cells that were not started are one group for each dataset.
-std::vector<HoleGroup> groups_of(const std::vector<DatasetContents>& datasets);
+std::vector<MissingGroup> groups_of(const std::vector<DatasetContents>& datasets);
 
 /// Returns "failed", "refused", ...
-std::string word_of(HoleState state);
+std::string word_of(MissingState state);
 
 /// Returns the cells of a group: "vae and wgan-gp; 10:1 and 1:1; seeds 0 to 4".
-std::string cells_label(const HoleGroup& group);
+std::string cells_label(const MissingGroup& group);
 
 /// Returns "3 of 20 cells are missing: 1 failed, 2 not begun", or that none is missing.
 std::string completeness(const std::vector<DatasetContents>& datasets);

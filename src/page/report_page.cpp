@@ -211,9 +211,9 @@ std::vector<report::Section> sections_of(const DatasetContents& contents) {
 /// Returns a line for each of the first groups of missing cells; the page has all groups.
 std::vector<std::string> lines_of_missing(const std::vector<DatasetContents>& datasets) {
   constexpr std::size_t most_groups = 12;
-  const std::vector<HoleGroup> groups = groups_of(datasets);
+  const std::vector<MissingGroup> groups = groups_of(datasets);
   std::vector<std::string> lines;
-  for (const HoleGroup& group : groups) {
+  for (const MissingGroup& group : groups) {
     if (lines.size() == most_groups) {
       lines.push_back(
           fmt::format("And {} more; report.html names all.", groups.size() - most_groups));
@@ -265,12 +265,12 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
   return facts;
 }
 
-ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
+ReportContents read_report(const std::filesystem::path& run, const RequestedCells& requested,
                            const report::Published& published) {
   ReportContents contents;
-  for (const std::string& name : datasets_of(run, asked)) {
-    const run::Grid grid = grid_of(run::Layout(run, name), name, asked);
-    contents.datasets.push_back(read_dataset(run, grid, asked.left_out_of(name), published));
+  for (const std::string& name : datasets_of(run, requested)) {
+    const run::Grid grid = grid_of(run::Layout(run, name), name, requested);
+    contents.datasets.push_back(read_dataset(run, grid, requested.left_out_of(name), published));
     contents.figures.push_back(read_figures(run, name));
   }
   contents.settings = read_settings(run);
@@ -304,8 +304,8 @@ std::string report_text(const ReportContents& contents) {
     document.paragraphs.push_back("- " + std::move(line));
   }
   std::string what;
-  for (const auto& [word, said] : facts_of(contents.datasets)) {
-    if (word != "What") what += fmt::format("{}{}: {}.", what.empty() ? "" : " ", word, said);
+  for (const auto& [heading, fact] : facts_of(contents.datasets)) {
+    if (heading != "What") what += fmt::format("{}{}: {}.", what.empty() ? "" : " ", heading, fact);
   }
   document.paragraphs.push_back(what);
   for (const DatasetContents& dataset : contents.datasets) {

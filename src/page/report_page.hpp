@@ -19,7 +19,7 @@ struct ReportContents {
 };
 
 /// Reads the folder of a run; lists missing cells. Throws Error as datasets_of() and grid_of() do.
-ReportContents read_report(const std::filesystem::path& run, const AskedCells& asked,
+ReportContents read_report(const std::filesystem::path& run, const RequestedCells& requested,
                            const report::Published& published);
 
 /// Size of a page that most mail servers still accept.

@@ -39,8 +39,8 @@ Html accuracy_view(const DatasetContents& contents) {
   for (const std::string& sentence : contents.verdict) {
     view += element("p", {{"class", "verdict"}}, sentence);
   }
-  if (reference.beside() && !reference.beside()->own) {
-    view += element("p", reference.beside()->caution);
+  if (reference.counterpart() && !reference.counterpart()->own) {
+    view += element("p", reference.counterpart()->caution);
   }
   if (contents.rows.empty()) return view + no_diagnosis();
   for (const report::ClassifierRows& block : report::by_classifier(contents.rows)) {

@@ -201,7 +201,7 @@ report::Section table_of_steps(const std::string& title, const Steps& steps) {
     text::Cell log;
     log.files = {step->file};
     table.row({log, word_of(step->end),
-               report::labelled_cell(*step->begun_s, moment_label(*step->begun_s)),
+               report::labelled_cell(*step->started_s, moment_label(*step->started_s)),
                time_cell(is_open ? std::nullopt : std::optional(step->elapsed_s)),
                time_cell(step->processor_s), memory_cell(step->memory_mb), step->reason},
               step->end == run::StepEnd::done ? "" : "bad");

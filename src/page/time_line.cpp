@@ -24,7 +24,7 @@ constexpr double narrowest_bar = 0.7;
 
 constexpr double pause_s = 600;
 
-double end_of_step(const run::StepLog& step) { return *step.begun_s + step.elapsed_s; }
+double end_of_step(const run::StepLog& step) { return *step.started_s + step.elapsed_s; }
 
 /// Maps moments to positions in the picture.
 class Axis {
@@ -64,7 +64,8 @@ std::vector<std::size_t> lanes_of(const std::vector<const run::StepLog*>& steps)
   std::vector<double> free_at_s;
   std::vector<std::size_t> lanes;
   for (const run::StepLog* step : steps) {
-    auto lane = std::ranges::find_if(free_at_s, [&](double end) { return end <= *step->begun_s; });
+    auto lane =
+        std::ranges::find_if(free_at_s, [&](double end) { return end <= *step->started_s; });
     if (lane == free_at_s.end()) lane = free_at_s.insert(free_at_s.end(), 0);
     *lane = end_of_step(*step);
     lanes.push_back(static_cast<std::size_t>(lane - free_at_s.begin()));
@@ -94,7 +95,7 @@ std::vector<Bar> bars_of(const std::vector<const run::StepLog*>& steps, const Ax
     const bool follows =
         steps.size() > many && last < bars.size() && bars[last].first->end == step.end &&
         step.end != run::StepEnd::open &&
-        axis.at(end_of_step(step)) - axis.at(*bars[last].first->begun_s) < widest_together;
+        axis.at(end_of_step(step)) - axis.at(*bars[last].first->started_s) < widest_together;
     if (follows) {
       bars[last].end_s = end_of_step(step);
       ++bars[last].steps;
@@ -113,7 +114,7 @@ std::string title_of_bar(const Bar& bar) {
   title += word_of(step.end);
   return step.end == run::StepEnd::open
              ? title
-             : title + " after " + duration_label(bar.end_s - *step.begun_s);
+             : title + " after " + duration_label(bar.end_s - *step.started_s);
 }
 
 Html html_of_bar(const Bar& bar, const Axis& axis, double y, double height) {
@@ -121,9 +122,9 @@ Html html_of_bar(const Bar& bar, const Axis& axis, double y, double height) {
   return element(
       "rect",
       {{"class", "bar " + word_of(step.end)},
-       {"x", position(axis.at(*step.begun_s))},
+       {"x", position(axis.at(*step.started_s))},
        {"y", position(y)},
-       {"width", position(std::max(narrowest_bar, axis.units(bar.end_s - *step.begun_s)))},
+       {"width", position(std::max(narrowest_bar, axis.units(bar.end_s - *step.started_s)))},
        {"height", position(height)}},
       element("title", title_of_bar(bar)));
 }
@@ -217,8 +218,8 @@ std::string word_of(run::StepEnd end) {
 std::vector<Session> sessions_of(const std::vector<run::StepLog>& steps) {
   std::vector<Session> sessions;
   for (const run::StepLog& step : steps) {
-    if (sessions.empty() || *step.begun_s > sessions.back().end_s + pause_s) {
-      sessions.push_back({*step.begun_s, *step.begun_s});
+    if (sessions.empty() || *step.started_s > sessions.back().end_s + pause_s) {
+      sessions.push_back({*step.started_s, *step.started_s});
     }
     sessions.back().end_s = std::max(sessions.back().end_s, end_of_step(step));
   }

@@ -3,21 +3,21 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "base/error.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 
 namespace piae::phase {
 
-double strike_frequency_hz(const signal::DatasetInfo& info, Label label) {
+double impact_frequency_hz(const signal::DatasetInfo& info, Label label) {
   const signal::ClassInfo& c = info.classes.at(index_of(label));
   if (c.defect == signal::Defect::none) {
     throw Error(Exit::bad_input,
                 info.name + ": class " + c.name + " has no defect, and so no fault frequency");
   }
-  return bearing::strike_frequency_hz(info.bearing, c.defect, info.known_speed_rpm());
+  return bearing::impact_frequency_hz(info.bearing, c.defect, info.known_speed_rpm());
 }
 
 signal::Cycle cycle_of_class(const signal::DatasetInfo& info, Label label, std::size_t length) {
-  const double period = info.sample_rate_hz / strike_frequency_hz(info, label);
+  const double period = info.sample_rate_hz / impact_frequency_hz(info, label);
   const std::optional<signal::Cycle> cycle = signal::cycle_of(period, length);
   if (!cycle) {
     throw Error(Exit::bad_input,

@@ -10,7 +10,7 @@ namespace piae::phase {
 
 /// Returns the impact rate of a class's defect, in Hz: BPFO, BPFI, or 2 BSF for a ball, whose
 /// defect hits both races in one turn. Throws Error(bad_input) for a class without a defect.
-double strike_frequency_hz(const signal::DatasetInfo& info, Label label);
+double impact_frequency_hz(const signal::DatasetInfo& info, Label label);
 
 /// Returns the cycle of a class in windows of `length` samples. Throws Error(bad_input) if not one
 /// whole period between impacts fits.

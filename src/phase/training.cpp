@@ -21,7 +21,7 @@ constexpr double effort_of_a_window = 30;
 
 /// The known windows, circularly shifted so that all of a class start at one angle, and their
 /// original starts.
-struct Turned {
+struct Aligned {
   signal::WindowSet windows;
   std::vector<std::int64_t> starts;  ///< in samples of the class's cycle
 };
@@ -33,8 +33,8 @@ std::vector<double> without_mean(std::span<const float> window) {
   return values;
 }
 
-Turned turn_to_common_angle(const signal::WindowSet& known) {
-  Turned turned{.windows = known, .starts = std::vector<std::int64_t>(known.size())};
+Aligned shift_to_common_angle(const signal::WindowSet& known) {
+  Aligned rotated{.windows = known, .starts = std::vector<std::int64_t>(known.size())};
   for (Label label = 0; index_of(label) < known.info.classes.size(); ++label) {
     const std::vector<std::size_t> indices = known.indices_of(label);
     if (indices.empty()) continue;
@@ -51,11 +51,11 @@ Turned turn_to_common_angle(const signal::WindowSet& known) {
           signal::read(std::span<const double>(waveforms[j]), cycle.samples - start, known.length);
       std::copy(
           window.begin(), window.end(),
-          turned.windows.samples.begin() + static_cast<std::ptrdiff_t>(indices[j] * known.length));
-      turned.starts[indices[j]] = static_cast<std::int64_t>(start);
+          rotated.windows.samples.begin() + static_cast<std::ptrdiff_t>(indices[j] * known.length));
+      rotated.starts[indices[j]] = static_cast<std::int64_t>(start);
     }
   }
-  return turned;
+  return rotated;
 }
 
 class Training final : public PhaseTraining {
@@ -66,7 +66,7 @@ class Training final : public PhaseTraining {
         options_(options),
         stream_(stream),
         engine_(std::move(engine)),
-        turned_(turn_to_common_angle(known)),
+        aligned_(shift_to_common_angle(known)),
         inference_(known, simulation_of(options), options.inference, stream.child("inference")) {}
 
   [[nodiscard]] std::size_t epochs() const override {
@@ -103,7 +103,7 @@ class Training final : public PhaseTraining {
     writer.attribute("/inference", "width", std::int64_t{options_.inference.width});
     writer.numbers("/phase/labels", known_.labels);
     writer.attribute("/phase", "space_bins", std::int64_t{options_.twin.space_bins});
-    writer.numbers("/phase/start", turned_.starts);
+    writer.numbers("/phase/start", aligned_.starts);
   }
 
  private:
@@ -119,7 +119,7 @@ class Training final : public PhaseTraining {
     const std::vector<twin::TwinPoint> points = inference_.inference().infer(known_);
     const StateScale scale(points, known_.labels, known_.info.classes.size());
     twin_ = twin::make_twin_training(
-        turned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), engine_,
+        aligned_.windows, options_.twin, twin::without_encoder, stream_.child("twin"), engine_,
         twin::KnownStates{.points = points,
                           .decoder_inputs = scale.standardised(points, known_.labels)});
   }
@@ -128,7 +128,7 @@ class Training final : public PhaseTraining {
   PhaseOptions options_;
   Stream stream_;
   twin::Engine engine_;
-  Turned turned_;
+  Aligned aligned_;
   InferenceTraining inference_;
   std::unique_ptr<twin::TwinTraining> twin_;
 };

@@ -47,7 +47,7 @@ double megabytes_for(std::size_t many, double most) {
   return 100 * std::ceil((static_cast<double>(many) * most + 300) / 100);
 }
 
-bool asks_for_gpu(const Step& step) {
+bool requests_gpu(const Step& step) {
   if (!step.settings) return false;
   const auto device = step.settings->values.find("device");
   return device != step.settings->values.end() && device->second == "cuda";
@@ -146,7 +146,7 @@ std::vector<JobKind> divide(Plan& plan, const Costs& costs, std::size_t cores, d
       if (is_new) units.push_back({.name = name, .run = run_of(step)});
       Unit& unit = units[found->second];
       unit.take(cost);
-      unit.needs_gpu = unit.needs_gpu || asks_for_gpu(step);
+      unit.needs_gpu = unit.needs_gpu || requests_gpu(step);
       unit.files.push_back(step.outputs.front());
     }
   }
@@ -178,7 +178,7 @@ std::string table_of(const std::vector<JobKind>& kinds) {
   std::size_t jobs = 0;
   std::size_t steps = 0;
   double seconds = 0;
-  double asked_hours = 0;
+  double requested_hours = 0;
   for (const JobKind& kind : kinds) {
     text += fmt::format("{:<10} {:>6} {:>6} {:>10} {:>10} {:>7} {:>11.2f}\n", kind.name,
                         kind.files.size(), kind.cores, hours(kind.minutes),
@@ -187,12 +187,12 @@ std::string table_of(const std::vector<JobKind>& kinds) {
     jobs += kind.files.size();
     steps += kind.steps;
     seconds += kind.seconds;
-    asked_hours += static_cast<double>(kind.files.size() * kind.cores) * kind.minutes / 60;
+    requested_hours += static_cast<double>(kind.files.size() * kind.cores) * kind.minutes / 60;
   }
   text += fmt::format("{:<10} {:>6} {:>6} {:>10} {:>10} {:>7} {:>11.2f}\n", "all", jobs, "", "", "",
                       steps, seconds / 3600);
   return text + fmt::format("{} submissions, which ask for {:.1f} core-hours at most\n",
-                            kinds.size(), asked_hours);
+                            kinds.size(), requested_hours);
 }
 
 void write_jobs(const std::vector<JobKind>& kinds, const std::filesystem::path& folder) {

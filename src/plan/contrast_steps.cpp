@@ -48,19 +48,19 @@ class Contrasts {
   }
 
   Side side(GridSteps& grid, TableSteps& tables, const Part& part) {
-    std::vector<StepId> asked;
+    std::vector<StepId> requested;
     for (const std::int64_t seed : choice_.seeds) {
       for (const run::Combination& cell : part.cells) {
         if (cell.classifier != scoring::paper_classifier) continue;
-        asked.push_back(grid.diagnosis(part.dataset, seed, variant_of(cell.method), cell.ratio,
-                                       cell.classifier));
+        requested.push_back(grid.diagnosis(part.dataset, seed, variant_of(cell.method), cell.ratio,
+                                           cell.classifier));
         if (run::has_score(cell.method)) {
           grid.score(part.dataset, seed, variant_of(cell.method));
         }
       }
     }
     return {grid.folder() + '/' + part.dataset.name,
-            tables.with_held(part.dataset, asked, [](const HeldCell& cell) {
+            tables.with_held(part.dataset, requested, [](const HeldCell& cell) {
               return cell.kind == HeldCell::Kind::diagnosis &&
                      cell.variant.folder == cell.variant.method &&
                      cell.classifier == scoring::paper_classifier;

@@ -59,7 +59,7 @@ Lists lists_of_transfer(const Experiment& experiment) {
   defaults.ratios.emplace_back(scoring::all_ratios().back().name);
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
     const bool is_wdcnn = classifier.represent != nullptr;
-    if (is_wdcnn || std::string(classifier.name) == diagnosis::bar_classifier) {
+    if (is_wdcnn || std::string(classifier.name) == diagnosis::reference_classifier) {
       defaults.classifiers.emplace_back(classifier.name);
     }
   }

@@ -25,7 +25,7 @@ std::vector<const toml::table*> tables_of(const toml::table& description, const 
   return tables;
 }
 
-bool says_size(const toml::table& description, const toml::table& of_class) {
+bool states_size(const toml::table& description, const toml::table& of_class) {
   if (of_class.contains("defect_size_mm")) return true;
   const auto name = of_class["name"].value<std::string>();
   return std::ranges::any_of(tables_of(description, "record"), [&](const toml::table* record) {
@@ -34,17 +34,17 @@ bool says_size(const toml::table& description, const toml::table& of_class) {
 }
 
 std::vector<Needs> unsaid_in(const toml::table& description) {
-  bool rhythm = true;
+  bool impact_rate = true;
   bool sizes = true;
   for (const toml::table* of_class : tables_of(description, "class")) {
     const auto defect = (*of_class)["defect"].value_or<std::string>("none");
-    rhythm = rhythm && defect != "other";
+    impact_rate = impact_rate && defect != "other";
     const bool has_size = defect != "none" && defect != "other";
-    sizes = sizes && (!has_size || says_size(description, *of_class));
+    sizes = sizes && (!has_size || states_size(description, *of_class));
   }
   std::vector<Needs> unsaid;
-  if (!rhythm && !description.contains("bearing")) unsaid.push_back(Needs::bearing);
-  if (!rhythm) unsaid.push_back(Needs::rhythm);
+  if (!impact_rate && !description.contains("bearing")) unsaid.push_back(Needs::bearing);
+  if (!impact_rate) unsaid.push_back(Needs::impact_rate);
   if (!sizes) unsaid.push_back(Needs::size);
   return unsaid;
 }

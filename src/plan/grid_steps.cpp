@@ -53,8 +53,8 @@ std::string GridSteps::seed_folder(const Dataset& dataset, std::int64_t seed) co
 
 StepId GridSteps::add(Step step) {
   if (step.log.empty()) step.log = step.stage;
-  step.is_asked = is_asked_;
-  step.is_held = !is_asked_;
+  step.is_requested = is_requested_;
+  step.is_held = !is_requested_;
   return graph_.add(std::move(step));
 }
 
@@ -112,7 +112,7 @@ StepId GridSteps::model(const Dataset& dataset, std::int64_t seed, const Variant
       .place = {
           .dataset = dataset.name, .seed = seed, .unit = variant.folder, .method = variant.method}};
   if (augment::is_ceiling(variant.method)) step.inputs.push_back(input("real", of_seed + "/D.h5"));
-  if (augment::find_entry(variant.method)->hears) {
+  if (augment::find_entry(variant.method)->uses_healthy) {
     step.inputs.push_back(input("healthy", of_seed + "/B.h5"));
   }
   for (const settings::Point& point : variant.moved) {

@@ -35,7 +35,7 @@ class GridSteps {
 
   /// Sets if steps added from now on are requested. Other steps represent what the run holds, and
   /// are not made.
-  void ask(bool is_asked) { is_asked_ = is_asked; }
+  void request(bool is_requested) { is_requested_ = is_requested; }
 
   StepId records(const Dataset& dataset);
   StepId split(const Dataset& dataset, std::int64_t seed);
@@ -67,7 +67,7 @@ class GridSteps {
   Graph& graph_;
   std::string folder_;
   StageSettings settings_;
-  bool is_asked_ = true;
+  bool is_requested_ = true;
 };
 
 }  // namespace piae::plan

@@ -14,17 +14,17 @@ namespace {
 
 void add_identification(TableSteps& tables, const Part& part) {
   const Dataset& dataset = part.dataset;
-  std::vector<StepId> asked;
+  std::vector<StepId> requested;
   Words methods;
   for (const std::string& method : tables.choice().methods) {
     if (augment::find_entry(method)->infers) methods.push_back(method);
   }
   for (const std::int64_t seed : tables.choice().seeds) {
     for (const std::string& method : methods) {
-      asked.push_back(tables.grid().model(dataset, seed, variant_of(method)));
+      requested.push_back(tables.grid().model(dataset, seed, variant_of(method)));
     }
   }
-  const TableCells models = tables.with_held(dataset, asked, [&](const HeldCell& cell) {
+  const TableCells models = tables.with_held(dataset, requested, [&](const HeldCell& cell) {
     return cell.kind == HeldCell::Kind::model && cell.variant.folder == cell.variant.method &&
            augment::find_entry(cell.variant.method)->infers;
   });

@@ -21,7 +21,7 @@ const char* in_words(augment::Needs need) {
   switch (need) {
     case augment::Needs::bearing:
       return "[bearing]";
-    case augment::Needs::rhythm:
+    case augment::Needs::impact_rate:
       return "faults in a raceway or a ball (not \"other\")";
     default:
       return "defect_size_mm of every fault";
@@ -119,14 +119,15 @@ Words with_ratios(const Words& methods, const Words& ratios) {
   return kept;
 }
 
-Part part_of(const Dataset& dataset, const AskedOfAll& asked, Words& notices) {
-  const Words methods = able_methods(asked.methods, dataset, asked.methods_are_named, notices);
-  const std::string reasons = left_out_line(methods, asked.classifiers, dataset);
+Part part_of(const Dataset& dataset, const RequestedForAll& requested, Words& notices) {
+  const Words methods =
+      able_methods(requested.methods, dataset, requested.methods_are_named, notices);
+  const std::string reasons = left_out_line(methods, requested.classifiers, dataset);
   run::GridOptions options{.dataset = dataset.name,
                            .methods = methods,
-                           .ratios = asked.ratios,
+                           .ratios = requested.ratios,
                            .seeds = {"0"},
-                           .classifiers = asked.classifiers};
+                           .classifiers = requested.classifiers};
   if (!dataset.any_known) options.nothing_known = {dataset.name};
   Part part{.dataset = dataset, .cells = {}, .methods = {}};
   try {

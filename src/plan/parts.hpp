@@ -16,7 +16,7 @@ struct Part {
 };
 
 /// The request for every data set.
-struct AskedOfAll {
+struct RequestedForAll {
   std::vector<std::string> methods;
   std::vector<std::string> ratios;
   std::vector<std::string> classifiers;
@@ -26,7 +26,8 @@ struct AskedOfAll {
 /// Returns the requested cells that a data set can have. Adds to `notices` what is left out, and
 /// why. Throws Error(usage) if nothing is left, or if a named method needs more than the
 /// description contains.
-Part part_of(const Dataset& dataset, const AskedOfAll& asked, std::vector<std::string>& notices);
+Part part_of(const Dataset& dataset, const RequestedForAll& requested,
+             std::vector<std::string>& notices);
 
 /// Returns the methods that have cells at any of these ratios.
 std::vector<std::string> with_ratios(const std::vector<std::string>& methods,

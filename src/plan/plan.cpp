@@ -69,30 +69,30 @@ void Plan::add_grid(TableSteps& tables) {
   std::set<std::string> of_files;
   for (const std::string& file : choice_.files) of_files.insert(goal_of_file(file).name);
   add_goals(of_files, tables);
-  for (StepId id = first; id < graph_.steps().size(); ++id) graph_.at(id).is_asked = false;
-  ask_for(choice_.files);
+  for (StepId id = first; id < graph_.steps().size(); ++id) graph_.at(id).is_requested = false;
+  request_files(choice_.files);
 }
 
-std::vector<StepId> Plan::asked() const {
+std::vector<StepId> Plan::requested() const {
   std::vector<StepId> ids;
   for (StepId id = 0; id < graph_.steps().size(); ++id) {
-    if (graph_.at(id).is_asked) ids.push_back(id);
+    if (graph_.at(id).is_requested) ids.push_back(id);
   }
   return ids;
 }
 
 std::vector<StepId> Plan::to_run() {
-  std::vector<StepId> ids = asked();
+  std::vector<StepId> ids = requested();
   judge_->read_ahead(ids);
   std::erase_if(ids, [&](StepId id) {
     const bool is_cell = graph_.at(id).is_artefact;
-    return (choice_.with_holes && is_cell) || judge_->of(id).state == State::current;
+    return (choice_.with_missing && is_cell) || judge_->of(id).state == State::current;
   });
   return ids;
 }
 
 std::vector<StepId> Plan::missing() {
-  std::vector<StepId> ids = asked();
+  std::vector<StepId> ids = requested();
   judge_->read_ahead(ids);
   std::erase_if(ids, [&](StepId id) {
     return !graph_.at(id).is_artefact || judge_->of(id).state == State::current;
@@ -101,36 +101,36 @@ std::vector<StepId> Plan::missing() {
 }
 
 void Plan::keep_only(const std::vector<std::string>& files) {
-  for (StepId id = 0; id < graph_.steps().size(); ++id) graph_.at(id).is_asked = false;
-  ask_for(files);
+  for (StepId id = 0; id < graph_.steps().size(); ++id) graph_.at(id).is_requested = false;
+  request_files(files);
 }
 
 void Plan::keep_pages() {
-  for (const StepId id : asked()) {
+  for (const StepId id : requested()) {
     Step& step = graph_.at(id);
-    if (step.is_always_due) step.is_asked = judge_->of(id).only_missing;
+    if (step.is_always_due) step.is_requested = judge_->of(id).only_missing;
   }
 }
 
-void Plan::ask_for(const std::vector<std::string>& files) {
+void Plan::request_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const auto maker = graph_.maker_of(file);
     if (!maker) throw Error(Exit::usage, file + ": no step makes it, with these variables");
-    graph_.at(*maker).is_asked = true;
+    graph_.at(*maker).is_requested = true;
   }
   for (StepId id = graph_.steps().size(); id-- > 0;) {
-    if (!graph_.at(id).is_asked) continue;
+    if (!graph_.at(id).is_requested) continue;
     for (const StepId needed : graph_.needs(id)) {
-      graph_.at(needed).is_asked = !graph_.at(needed).is_held;
+      graph_.at(needed).is_requested = !graph_.at(needed).is_held;
     }
   }
 }
 
-std::unique_ptr<Plan> plan_with_holes(const Experiment& experiment, Choice choice, Disk& disk) {
+std::unique_ptr<Plan> plan_with_missing(const Experiment& experiment, Choice choice, Disk& disk) {
   auto whole = std::make_unique<Plan>(experiment, choice, Stretch::grid, disk);
   const std::vector<StepId> missing = whole->missing();
   if (missing.empty()) return whole;
-  choice.with_holes = true;
+  choice.with_missing = true;
   if (!choice.has_goal("all") && !choice.has_goal("tables")) {
     std::set<std::int64_t> incomplete;
     for (const StepId id : missing) {

@@ -41,7 +41,7 @@ class Plan {
   [[nodiscard]] const Graph& graph() const { return graph_; }
   [[nodiscard]] Judge& judge() { return *judge_; }
   /// Returns the requested steps, each after all steps that it needs.
-  [[nodiscard]] std::vector<StepId> asked() const;
+  [[nodiscard]] std::vector<StepId> requested() const;
   /// Returns the requested steps that are not current; if cells are missing, tables only.
   [[nodiscard]] std::vector<StepId> to_run();
   /// Returns the steps of to_run() that make artefacts.
@@ -58,7 +58,7 @@ class Plan {
  private:
   void add_grid(TableSteps& tables);
   /// Adds these files, and everything that they are made from, to the request.
-  void ask_for(const std::vector<std::string>& files);
+  void request_files(const std::vector<std::string>& files);
 
   Choice choice_;
   Graph graph_;
@@ -68,6 +68,6 @@ class Plan {
 
 /// Plans with missing cells: tables of the grid use the existing cells, other tables use the
 /// complete seeds. No step of the grid runs. Throws Error(input_missing) if no seed is complete.
-std::unique_ptr<Plan> plan_with_holes(const Experiment& experiment, Choice choice, Disk& disk);
+std::unique_ptr<Plan> plan_with_missing(const Experiment& experiment, Choice choice, Disk& disk);
 
 }  // namespace piae::plan

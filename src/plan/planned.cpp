@@ -73,9 +73,9 @@ Planned::Planned(const Request& request, const PlanOptions& options)
 }
 
 void Planned::make_plan(Choice choice) {
-  const bool with_holes = options_.with_holes && options_.stretch == Stretch::grid;
-  plan_ = with_holes
-              ? plan_with_holes(experiment_, std::move(choice), *disk_)
+  const bool with_missing = options_.with_missing && options_.stretch == Stretch::grid;
+  plan_ = with_missing
+              ? plan_with_missing(experiment_, std::move(choice), *disk_)
               : std::make_unique<Plan>(experiment_, std::move(choice), options_.stretch, *disk_);
   if (!options_.only.empty()) plan_->keep_only(text::read_lines(options_.only));
   if (options_.looks) plan_->keep_pages();
@@ -111,7 +111,7 @@ void Planned::note(const std::string& name) {
   std::error_code none;
   if (std::filesystem::is_regular_file(log_of(step), none)) {
     const run::StepLog log = run::read_step_log(log_of(step));
-    if (log.begun_s && changed_since(step, *log.begun_s)) return;
+    if (log.started_s && changed_since(step, *log.started_s)) return;
   }
   disk_->note(name, plan_->judge().made_now(id));
 }

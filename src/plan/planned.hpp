@@ -14,8 +14,8 @@ namespace piae::plan {
 struct PlanOptions {
   std::filesystem::path pipeline = "pipeline";  ///< folder with protocol.toml and datasets/
   Stretch stretch = Stretch::grid;
-  bool with_holes = false;  ///< tables from the existing cells, see plan_with_holes()
-  bool looks = false;       ///< nothing is written, not even the journal
+  bool with_missing = false;  ///< tables from the existing cells, see plan_with_missing()
+  bool looks = false;         ///< nothing is written, not even the journal
   std::string only =
       {};  ///< a file with the names of the requested files, one a line; may be empty
 };

@@ -82,15 +82,15 @@ std::string shown_of(const Plan& plan) {
     if (!std::filesystem::exists(table)) continue;
     for (const std::string& line : text::read_lines(table)) all += line + '\n';
   }
-  const auto say_where = [&](const char* what, const char* below) {
+  const auto stderr_fields = [&](const char* what, const char* below) {
     all += what;
     for (const Part& part : plan.choice().parts) {
       all += fmt::format(" {}/{}/{}", plan.choice().folder(), part.dataset.name, below);
     }
     all += '\n';
   };
-  if (plan.choice().has_goal("all")) say_where("tables and artefacts:", "");
-  if (plan.choice().has_goal("figures")) say_where("figures:", "figures/");
+  if (plan.choice().has_goal("all")) stderr_fields("tables and artefacts:", "");
+  if (plan.choice().has_goal("figures")) stderr_fields("figures:", "figures/");
   return all;
 }
 

@@ -193,15 +193,15 @@ Choice choose(const Experiment& experiment, const Request& request) {
   choice.classifiers = std::move(lists.classifiers);
   choice.seeds = std::move(lists.seeds);
   take_given(request, choice);
-  const AskedOfAll asked{.methods = with_ratios(choice.methods, choice.ratios),
-                         .ratios = choice.ratios,
-                         .classifiers = choice.classifiers,
-                         .methods_are_named = request.methods.has_value()};
-  if (asked.methods.empty() && !choice.only_looks) refuse_no_cells(choice);
+  const RequestedForAll requested{.methods = with_ratios(choice.methods, choice.ratios),
+                                  .ratios = choice.ratios,
+                                  .classifiers = choice.classifiers,
+                                  .methods_are_named = request.methods.has_value()};
+  if (requested.methods.empty() && !choice.only_looks) refuse_no_cells(choice);
   for (const std::string& name : lists.datasets) {
     const Dataset& dataset = *experiment.find(name);
     choice.parts.push_back(choice.only_looks ? Part{.dataset = dataset, .cells = {}, .methods = {}}
-                                             : part_of(dataset, asked, choice.notices));
+                                             : part_of(dataset, requested, choice.notices));
   }
   return choice;
 }

@@ -46,7 +46,7 @@ struct Choice {
   std::vector<std::string>
       given;  ///< --methods, --ratios, ... as given, for a run that is only viewed
   /// True if tables are made from the existing cells although others are missing.
-  bool with_holes = false;
+  bool with_missing = false;
   /// Lines that name what is left out, and why: one for each data set, for people.
   std::vector<std::string> notices;
 

@@ -181,7 +181,7 @@ std::string status_table(Plan& plan, const std::map<StepId, StepState>& states, 
   Worst worst(plan.graph(), states);
   Rows rows;
   std::size_t running = 0;
-  for (const StepId id : plan.asked()) {
+  for (const StepId id : plan.requested()) {
     const Step& step = plan.graph().at(id);
     const auto state = states.find(id);
     const bool is_of_cells = step.is_artefact && step.log != "features";
@@ -210,9 +210,9 @@ std::string listed_steps(const Plan& plan, const std::map<StepId, StepState>& st
       const Step& step = plan.graph().at(id);
       if (is_first) text += fmt::format("\n{}\n", heading);
       is_first = false;
-      std::string said = state.said.empty() ? step.stage : state.said;
-      if (progress == Progress::failed) said = fmt::format("{}: {}", step.stage, said);
-      text += fmt::format("  {}: {} (log: {})\n", below_run(step.folder), said, log_of(step));
+      std::string reason = state.reason.empty() ? step.stage : state.reason;
+      if (progress == Progress::failed) reason = fmt::format("{}: {}", step.stage, reason);
+      text += fmt::format("  {}: {} (log: {})\n", below_run(step.folder), reason, log_of(step));
     }
   };
   list(Progress::running, "running");

@@ -64,9 +64,9 @@ struct Step {
   std::vector<std::string> outputs = {};
   std::string output_option = {};  ///< "output" if an option names the first output
   Place place = {};
-  bool is_asked = true;     ///< true if it is made when it is due
-  bool is_held = false;     ///< true if it represents files that the run holds; never made
-  bool is_artefact = true;  ///< true if the outputs record how they were made
+  bool is_requested = true;  ///< true if it is made when it is due
+  bool is_held = false;      ///< true if it represents files that the run holds; never made
+  bool is_artefact = true;   ///< true if the outputs record how they were made
   /// Folder whose CSV files are all outputs, because their names are unknown before the run.
   std::string tables_folder = {};
   bool is_always_due = false;  ///< true if it shows the present state of the run

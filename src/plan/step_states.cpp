@@ -31,8 +31,8 @@ std::string job_ended(const Step& step, const EndedJobs& jobs) {
 std::string reason_of(const run::StepLog& log, const std::string& job) {
   const bool only_guessed = log.reason.ends_with(guess);
   if (!log.reason.empty() && !only_guessed) return log.reason;
-  const bool job_says = !job.empty() && (job != "some steps failed" || log.exit_code == 0);
-  if (job_says) return "its job ended: " + job;
+  const bool job_reports = !job.empty() && (job != "some steps failed" || log.exit_code == 0);
+  if (job_reports) return "its job ended: " + job;
   return log.reason.empty() ? fmt::format("exit code {}", log.exit_code) : log.reason;
 }
 

@@ -15,8 +15,8 @@ enum class Progress { done, missing, running, failed };
 
 struct StepState {
   Progress progress = Progress::missing;
-  int exit_code = 0;  ///< of a failed step; 0 if it ended together with its job
-  std::string said;   ///< reason of a failed step, progress of a running one
+  int exit_code = 0;   ///< of a failed step; 0 if it ended together with its job
+  std::string reason;  ///< reason of a failed step, progress of a running one
 };
 
 /// Reads the logs of steps.

@@ -176,7 +176,7 @@ std::string spent_by_submission(const fs::path& folder) {
   for (const fs::path& run : runs_of(folder)) {
     steps += static_cast<std::size_t>(
         std::ranges::count_if(run::read_step_logs(run), [&](const run::StepLog& log) {
-          return *log.begun_s > submitted_s && log.end == run::StepEnd::done;
+          return *log.started_s > submitted_s && log.end == run::StepEnd::done;
         }));
   }
   return spent_by(job_logs_in(folder), submitted_s,

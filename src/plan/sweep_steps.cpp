@@ -30,17 +30,18 @@ void add_sweep(TableSteps& tables, const Part& part, const settings::Sweep& swee
   const Dataset& dataset = part.dataset;
   const Words ratios = tables.moved_ratios({"1to1"}, "sweep");
   std::set<std::string> folders;
-  std::vector<StepId> asked;
+  std::vector<StepId> requested;
   for (const Variant& variant : swept_variants(sweep)) {
     folders.insert(variant.folder);
     for (const std::int64_t seed : tables.choice().seeds) {
       for (const std::string& ratio : ratios) {
-        asked.push_back(tables.grid().diagnosis(dataset, seed, variant, ratio, sweep.classifier));
+        requested.push_back(
+            tables.grid().diagnosis(dataset, seed, variant, ratio, sweep.classifier));
       }
       if (run::has_score(sweep.method)) tables.grid().score(dataset, seed, variant);
     }
   }
-  const TableCells cells = tables.with_held(dataset, asked, [&](const HeldCell& cell) {
+  const TableCells cells = tables.with_held(dataset, requested, [&](const HeldCell& cell) {
     return cell.kind == HeldCell::Kind::diagnosis && folders.contains(cell.variant.folder) &&
            cell.classifier == sweep.classifier;
   });

@@ -135,16 +135,16 @@ std::vector<std::pair<const HeldCell*, StepId>> TableSteps::held_steps(const Dat
   return steps;
 }
 
-TableCells TableSteps::with_held(const Dataset& dataset, const std::vector<StepId>& asked,
+TableCells TableSteps::with_held(const Dataset& dataset, const std::vector<StepId>& requested,
                                  const Chosen& chosen, bool only_looks) {
-  grid_.ask(false);
+  grid_.request(false);
   const auto steps = held_steps(dataset, chosen);
   TableCells cells;
   std::set<std::string> taken;
   const auto take = [&](const std::string& file) {
     if (taken.insert(file).second) cells.files.push_back(file);
   };
-  for (const StepId id : asked) take(grid_.graph().at(id).outputs.front());
+  for (const StepId id : requested) take(grid_.graph().at(id).outputs.front());
   std::set<std::string> left_out;
   Words old;
   for (const auto& [cell, id] : steps) {
@@ -158,7 +158,7 @@ TableCells TableSteps::with_held(const Dataset& dataset, const std::vector<StepI
       old.push_back(file);
     }
   }
-  grid_.ask(true);
+  grid_.request(true);
   if (only_looks && cells.files.empty()) {
     cells.files = old;
   } else {
@@ -210,10 +210,10 @@ Words TableSteps::selection(const Part& part) const {
 
 /// Drops the missing cells. Puts into `one_cell` the options that name one of the others, which a
 /// table needs.
-std::vector<StepId> TableSteps::without_holes(std::vector<StepId> asked, Words& one_cell) {
-  judge_.read_ahead(asked);
-  std::erase_if(asked, [&](StepId id) { return judge_.of(id).state != State::current; });
-  for (const StepId id : asked) {
+std::vector<StepId> TableSteps::without_missing(std::vector<StepId> requested, Words& one_cell) {
+  judge_.read_ahead(requested);
+  std::erase_if(requested, [&](StepId id) { return judge_.of(id).state != State::current; });
+  for (const StepId id : requested) {
     const Place& place = grid_.graph().at(id).place;
     if (place.ratio.empty()) continue;
     append_option(one_cell, "methods", {place.method});
@@ -222,19 +222,19 @@ std::vector<StepId> TableSteps::without_holes(std::vector<StepId> asked, Words& 
     append_option(one_cell, "classifiers", {place.classifier});
     break;
   }
-  return asked;
+  return requested;
 }
 
 void TableSteps::add_tables(const Part& part) {
   const Dataset& dataset = part.dataset;
-  std::vector<StepId> asked = cells_of(part);
+  std::vector<StepId> requested = cells_of(part);
   Words selected = selection(part);
-  if (choice_.with_holes) {
+  if (choice_.with_missing) {
     selected.clear();
-    asked = without_holes(std::move(asked), selected);
+    requested = without_missing(std::move(requested), selected);
     if (selected.empty()) return;
   }
-  const TableCells cells = with_held(dataset, asked, [&](const HeldCell& cell) {
+  const TableCells cells = with_held(dataset, requested, [&](const HeldCell& cell) {
     return cell.kind != HeldCell::Kind::model && cell.variant.folder == cell.variant.method;
   });
   Step step{.stage = "tabulate",
@@ -245,7 +245,7 @@ void TableSteps::add_tables(const Part& part) {
             .outputs = in_folder(folder_of(dataset), run::table_names),
             .place = {.dataset = dataset.name}};
   append(step.words, selected);
-  if (choice_.with_holes && !dataset.any_known) {
+  if (choice_.with_missing && !dataset.any_known) {
     append_option(step.words, "nothing-known", {dataset.name});
   }
   append_option(step.words, "leave-out", cells.left_out);

@@ -52,7 +52,7 @@ class TableSteps {
   using Chosen = std::function<bool(const HeldCell&)>;
   /// Returns the requested cells, and all other chosen cells that the run holds. With `only_looks`,
   /// stale cells are taken if all of them are stale, since they then belong together.
-  TableCells with_held(const Dataset& dataset, const std::vector<StepId>& asked,
+  TableCells with_held(const Dataset& dataset, const std::vector<StepId>& requested,
                        const Chosen& chosen, bool only_looks = false);
 
   /// Adds a step that makes no artefacts, with these files as inputs in one role.
@@ -70,7 +70,8 @@ class TableSteps {
  private:
   std::vector<StepId> cells_of(const Part& part);
   void add_tables(const Part& part);
-  std::vector<StepId> without_holes(std::vector<StepId> asked, std::vector<std::string>& one_cell);
+  std::vector<StepId> without_missing(std::vector<StepId> requested,
+                                      std::vector<std::string>& one_cell);
   const std::vector<HeldCell>& held(const Dataset& dataset);
   std::vector<std::pair<const HeldCell*, StepId>> held_steps(const Dataset& dataset,
                                                              const Chosen& chosen);

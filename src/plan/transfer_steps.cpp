@@ -40,7 +40,7 @@ std::string generating_ratio(const Choice& choice) {
 /// Throws Error(usage) if an input of a group needs a classifier that is not requested.
 void require_classifiers(const Choice& choice, const settings::Group& group) {
   std::set<std::string> lacks;
-  for (const Words& inputs : {group.inputs, group.kind_inputs}) {
+  for (const Words& inputs : {group.inputs, group.type_inputs}) {
     for (const std::string& input : inputs) {
       const std::size_t equals = input.find('=');
       const bool is_needed = has(choice.methods, input.substr(0, equals)) &&

@@ -46,7 +46,7 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
   for (std::optional rest = line; rest; ++count) {
     const std::string_view field = take_field(rest, layout.separator);
     if (count == 0) found.first = field;
-    if (count == layout.column) found.asked = field;
+    if (count == layout.column) found.requested_field = field;
     if (count == (layout.column ^ 1)) found.partner = field;
     if (count + 1 == layout.times.column) found.time = field;
     last = field;
@@ -103,7 +103,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
     const std::string_view all = take_line(rest);
     const CsvRow fields = fields_of_line(file, line, all, layout);
-    const std::string_view field = fields.asked;
+    const std::string_view field = fields.requested_field;
     const auto number = number_in_field(field, layout.separator);
     const auto refuse = [&](const char* why) {
       refuse_csv_line(file, line,

@@ -15,13 +15,13 @@ bool is_word(std::string_view field) {
 }  // namespace
 
 void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view all) {
-  if (layout_.separator != ',' && row.asked.find(',') != std::string_view::npos) {
-    look_at_comma(line, row.asked, all);
+  if (layout_.separator != ',' && row.requested_field.find(',') != std::string_view::npos) {
+    look_at_comma(line, row.requested_field, all);
   }
   if (layout_.separator == ' ' && layout_.fields == 2 && !layout_.has_name) {
     const std::string_view low = row.partner;
     const bool is_group = low.size() == 3 && low.find_first_not_of("0123456789") == low.npos;
-    all_in_groups_ = all_in_groups_ && is_group && row.asked.find('.') == low.npos;
+    all_in_groups_ = all_in_groups_ && is_group && row.requested_field.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
   }
   if (layout_.column == 0) return;

@@ -10,7 +10,7 @@ namespace piae::raw {
 
 /// Fields of a line: the requested one and those that show whether it is a sample.
 struct CsvRow {
-  std::string_view asked;
+  std::string_view requested_field;
   std::string_view first;    ///< first field of the line
   std::string_view partner;  ///< may be part of the same number
   std::string_view time;     ///< field of the column of times

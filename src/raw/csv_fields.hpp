@@ -75,7 +75,7 @@ class DecimalSign {
  public:
   DecimalSign() = default;
   /// Starts with the declared sign, "." or ","; with no sign for other texts.
-  explicit DecimalSign(std::string_view said) : comma_(said == ","), point_(said == ".") {}
+  explicit DecimalSign(std::string_view stated) : comma_(stated == ","), point_(stated == ".") {}
 
   /// True if the field has the same decimal sign as the fields before.
   bool fits(std::string_view field) {

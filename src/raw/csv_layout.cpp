@@ -147,8 +147,8 @@ class Search {
     const auto found = fields(line, separator);
     const std::string_view field = found.size() == count ? found[column] : line.text;
     const bool is_named_number = number_in_field(field, separator) && holds_letters(line.text);
-    const bool says_nothing = field.empty() && holds_letters(line.text);
-    if (holds_letters(field) || is_named_number || says_nothing || is_date_or_time(field)) return;
+    const bool is_empty = field.empty() && holds_letters(line.text);
+    if (holds_letters(field) || is_named_number || is_empty || is_date_or_time(field)) return;
     refuse_csv_line(file_, line.number,
                     "column " + column_ + " holds " + csv_field_in_quotes(field) +
                         ", neither a number nor a name");

@@ -49,14 +49,15 @@ std::vector<unsigned char> summed_bytes(SNDFILE* sound, const SF_INFO& info, int
 }  // namespace
 
 void require_flac_sum(const std::filesystem::path& file, SNDFILE* sound, const SF_INFO& info) {
-  const StreamInfo said = stream_info(file);
-  const bool has_sum = std::ranges::any_of(said.sum, [](unsigned char byte) { return byte != 0; });
-  if (!has_sum || said.bits % 8 != 0) return;
-  const std::vector<unsigned char> bytes = summed_bytes(sound, info, said.bits);
+  const StreamInfo stated = stream_info(file);
+  const bool has_sum =
+      std::ranges::any_of(stated.sum, [](unsigned char byte) { return byte != 0; });
+  if (!has_sum || stated.bits % 8 != 0) return;
+  const std::vector<unsigned char> bytes = summed_bytes(sound, info, stated.bits);
   std::array<unsigned char, sum_bytes> sum{};
   unsigned size = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), sum.data(), &size, EVP_md5(), nullptr) != 1) return;
-  if (sum != said.sum) refuse_file(file, "damaged: the MD5 sum of its samples does not match");
+  if (sum != stated.sum) refuse_file(file, "damaged: the MD5 sum of its samples does not match");
 }
 
 }  // namespace piae::raw

@@ -295,9 +295,9 @@ hdf5::Handle opened(const fs::path& path) {
 
 /// Returns the object at a path, if there is one. Throws if the path leads to another file.
 std::optional<hdf5::Handle> object_at(const fs::path& path, hid_t file, std::string name) {
-  const std::string asked = name;
+  const std::string written = name;
   const Place place = resolve(file, name);
-  if (place == Place::elsewhere) refuse_file(path, asked + " is a link to another file");
+  if (place == Place::elsewhere) refuse_file(path, written + " is a link to another file");
   if (place == Place::nowhere) return std::nullopt;
   return opened_object(file, name);
 }

@@ -199,7 +199,7 @@ class Reader {
   }
 
   Signals signals() {
-    if (!listen()) refuse_for_time();
+    if (!receive()) refuse_for_time();
     const int status = wait_after(0);
     if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
     if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
@@ -222,7 +222,7 @@ class Reader {
   }
 
   /// Reads both outputs until they are closed; returns false on timeout.
-  bool listen() {
+  bool receive() {
     const auto end = Clock::now() + std::chrono::seconds(limits_.wall_seconds);
     while (!out_.ended || !err_.ended) {
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());

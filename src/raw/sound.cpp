@@ -40,7 +40,7 @@ constexpr std::array chunk_formats{ChunkFormat{"RIFF", 12, 8, 2}, ChunkFormat{"R
                                    ChunkFormat{"riff", 40, 24, 8},  // W64
                                    ChunkFormat{"FORM", 12, 8, 2, true}};
 
-constexpr std::uint64_t not_said = 0xFFFFFFFF;
+constexpr std::uint64_t no_size = 0xFFFFFFFF;
 
 /// Returns the bytes of a chunk's content. In W64 the size includes the chunk's head.
 std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
@@ -52,7 +52,7 @@ std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
 }
 
 /// True if the file has its declared size. Some recorders never write the size.
-bool has_said_size(std::span<const std::byte> file, const ChunkFormat& format) {
+bool has_stated_size(std::span<const std::byte> file, const ChunkFormat& format) {
   constexpr std::size_t before = 8;  // not part of the declared size
   if (format.head != before) return number_at<std::uint64_t>(file, 16, false) == file.size();
   return number_at(file, 4, format.is_big_endian) + before == file.size();
@@ -90,8 +90,9 @@ Frames aiff_frames(std::span<const std::byte> content) {
 }
 
 /// True if `bytes` of samples are whole frames, and all of them.
-bool holds(const Frames& said, std::uint64_t bytes) {
-  return said.is_consistent && bytes % said.frame == 0 && (said.bytes == 0 || said.bytes == bytes);
+bool holds(const Frames& stated, std::uint64_t bytes) {
+  return stated.is_consistent && bytes % stated.frame == 0 &&
+         (stated.bytes == 0 || stated.bytes == bytes);
 }
 
 /// Refuses a file of chunks with fewer or more samples than declared. libsndfile would read the
@@ -102,16 +103,16 @@ void require_whole(const fs::path& file) {
   const auto* const format = std::ranges::find_if(
       chunk_formats, [&](const ChunkFormat& one) { return bytes.starts_with(one.mark); });
   if (format == chunk_formats.end()) return;
-  std::uint64_t long_size = not_said;  // size of the samples in RF64
+  std::uint64_t long_size = no_size;  // size of the samples in RF64
   bool has_passed_samples = false;
-  Frames said;
+  Frames stated;
   std::size_t at = format->first;
   while (at + format->head <= bytes.size()) {
     const std::string_view name = bytes.substr(at, 4);
     std::uint64_t size = content_bytes(content, at, *format);
     const bool has_samples = name == "data" || name == "SSND";
-    if (has_samples && size == not_said) size = long_size;
-    if (has_samples && (size == 0 || size == not_said)) {
+    if (has_samples && size == no_size) size = long_size;
+    if (has_samples && (size == 0 || size == no_size)) {
       refuse_file(file,
                   "does not say how long it is, as where a recorder was switched off: "
                   "sox --ignore-length IN OUT writes one that does");
@@ -119,10 +120,10 @@ void require_whole(const fs::path& file) {
     if (size > bytes.size() - at - format->head) break;
     has_passed_samples = has_passed_samples || has_samples;
     const std::span content_of_chunk = std::span(content).subspan(at + format->head, size);
-    if (name == "fmt ") said = wav_frames(content_of_chunk);
-    if (name == "COMM" && bytes.substr(8, 4) == "AIFF") said = aiff_frames(content_of_chunk);
+    if (name == "fmt ") stated = wav_frames(content_of_chunk);
+    if (name == "COMM" && bytes.substr(8, 4) == "AIFF") stated = aiff_frames(content_of_chunk);
     constexpr std::uint64_t before_frames = 8;  // offset and block size of AIFF
-    if (has_samples && !holds(said, name == "SSND" ? size - before_frames : size)) {
+    if (has_samples && !holds(stated, name == "SSND" ? size - before_frames : size)) {
       refuse_file(file,
                   "damaged: what it says of channels, bits and length does not fit its samples");
     }
@@ -133,7 +134,7 @@ void require_whole(const fs::path& file) {
     at += format->head + (size + format->alignment - 1) / format->alignment * format->alignment;
   }
   if (!has_passed_samples) refuse_file(file, "truncated or damaged: it is shorter than it says");
-  if (at < bytes.size() && has_said_size(content, *format)) {
+  if (at < bytes.size() && has_stated_size(content, *format)) {
     refuse_file(file, "damaged: its samples end otherwise than it says");
   }
 }

@@ -15,7 +15,7 @@ struct Measured {
   std::string method;
   std::string classifier;  ///< of a diagnosis; empty for a score
   std::string ratio;       ///< of a diagnosis; empty for a score
-  std::string quantity;    ///< "accuracy" or "kind_accuracy", in [0, 1], or the name of a metric
+  std::string quantity;    ///< "accuracy" or "type_accuracy", in [0, 1], or the name of a metric
                            ///< (scoring/quality.hpp)
   std::int64_t seed = 0;
   double value = 0;  ///< mean over the fault classes for a metric

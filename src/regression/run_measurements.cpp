@@ -76,10 +76,10 @@ void add_diagnosis(const run::Combination& combination, std::int64_t seed, Datas
                                  .quantity = "accuracy",
                                  .seed = seed,
                                  .value = cell.accuracy});
-  if (!cell.kind_accuracy) return;
+  if (!cell.type_accuracy) return;
   measurements.values.push_back(measurements.values.back());
   measurements.values.back().quantity = "kind_accuracy";
-  measurements.values.back().value = *cell.kind_accuracy;
+  measurements.values.back().value = *cell.type_accuracy;
 }
 
 void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_run) {

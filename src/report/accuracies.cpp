@@ -18,10 +18,10 @@ namespace {
 
 void add_published(AccuracyRow& row, const Published& published) {
   if (row.classifier != scoring::paper_classifier) return;
-  const std::optional<Counterpart> beside = PaperReference(row.dataset).beside();
-  if (!beside) return;
-  const auto percent = published.percent(beside->paper.name, row.method, row.ratio);
-  (beside->own ? row.published : row.orientation) = percent;
+  const std::optional<Counterpart> counterpart = PaperReference(row.dataset).counterpart();
+  if (!counterpart) return;
+  const auto percent = published.percent(counterpart->paper.name, row.method, row.ratio);
+  (counterpart->own ? row.published : row.orientation) = percent;
 }
 
 std::optional<double> difference(std::optional<double> a, std::optional<double> b) {
@@ -36,14 +36,14 @@ AccuracyRow gain_of(AccuracyRow row, const AccuracyRow& baseline) {
   std::ranges::transform(pairs.first, pairs.second, row.values.begin(), std::minus());
   if (row.values.empty()) return row;
   row.summary = summarise_within(differences_of_percents, row.values);
-  row.kind.reset();
+  row.type_accuracy.reset();
   row.published = difference(row.published, baseline.published);
   row.orientation = difference(row.orientation, baseline.orientation);
   return row;
 }
 
-bool is_bar(const AccuracyRow& row) {
-  return row.method == augment::no_method && row.classifier == diagnosis::bar_classifier;
+bool is_reference(const AccuracyRow& row) {
+  return row.method == augment::no_method && row.classifier == diagnosis::reference_classifier;
 }
 
 }  // namespace
@@ -74,14 +74,14 @@ AccuracyRow accuracy_row(const std::string& dataset, const std::vector<run::Diag
   row.generated_per_class = first.generated_per_class;
   row.true_ratio = first.true_ratio;
   row.speed_ratio = first.speed_ratio;
-  std::vector<double> kinds;
+  std::vector<double> types;
   for (const run::Diagnosis& cell : cells) {
     row.seeds.push_back(cell.seed);
     row.values.push_back(100 * cell.accuracy);
-    if (cell.kind_accuracy) kinds.push_back(100 * *cell.kind_accuracy);
+    if (cell.type_accuracy) types.push_back(100 * *cell.type_accuracy);
   }
   row.summary = summarise_within(percents, row.values);
-  if (!kinds.empty()) row.kind = summarise_within(percents, kinds);
+  if (!types.empty()) row.type_accuracy = summarise_within(percents, types);
   return row;
 }
 
@@ -122,8 +122,9 @@ std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows) {
   return methods;
 }
 
-bool tell_kinds(const std::vector<AccuracyRow>& rows) {
-  return std::ranges::any_of(rows, [](const AccuracyRow& row) { return row.kind.has_value(); });
+bool have_fault_types(const std::vector<AccuracyRow>& rows) {
+  return std::ranges::any_of(rows,
+                             [](const AccuracyRow& row) { return row.type_accuracy.has_value(); });
 }
 
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method) {
@@ -153,14 +154,14 @@ std::vector<AccuracyRow> gain_rows(const std::vector<AccuracyRow>& rows) {
 }
 
 std::vector<ClassifierRows> by_classifier(const std::vector<AccuracyRow>& rows) {
-  const auto bar = std::ranges::find_if(rows, is_bar);
+  const auto reference_row = std::ranges::find_if(rows, is_reference);
   std::vector<ClassifierRows> blocks;
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
     ClassifierRows block{.classifier = classifier.name, .rows = rows_by(rows, classifier.name)};
-    const bool is_of_bar = std::ranges::any_of(block.rows, is_bar);
-    const bool stands_beside_others = is_of_bar && block.rows.size() == 1 && !blocks.empty();
-    if (block.rows.empty() || stands_beside_others) continue;
-    if (bar != rows.end() && !is_of_bar) block.bar = *bar;
+    const bool is_of_reference = std::ranges::any_of(block.rows, is_reference);
+    const bool has_company = is_of_reference && block.rows.size() == 1 && !blocks.empty();
+    if (block.rows.empty() || has_company) continue;
+    if (reference_row != rows.end() && !is_of_reference) block.reference_row = *reference_row;
     blocks.push_back(std::move(block));
   }
   return blocks;
@@ -174,7 +175,9 @@ std::vector<AccuracyRow> rows_by(const std::vector<AccuracyRow>& rows,
   return own;
 }
 
-std::string bar_label(const AccuracyRow& bar) { return run::name_by(bar.method, bar.classifier); }
+std::string reference_label(const AccuracyRow& reference_row) {
+  return run::name_by(reference_row.method, reference_row.classifier);
+}
 
 std::vector<ShownRow> rows_with_most_windows(const ClassifierRows& block) {
   std::vector<ShownRow> shown;
@@ -183,7 +186,8 @@ std::vector<ShownRow> rows_with_most_windows(const ClassifierRows& block) {
     shown.push_back({method_label(method),
                      *std::ranges::max_element(own, {}, &AccuracyRow::generated_per_class)});
   }
-  if (block.bar) shown.push_back({bar_label(*block.bar), *block.bar});
+  if (block.reference_row)
+    shown.push_back({reference_label(*block.reference_row), *block.reference_row});
   return shown;
 }
 

@@ -52,7 +52,7 @@ struct AccuracyRow {
   std::vector<double> values;       ///< by seed
   scoring::Summary summary;         ///< of the values, with the interval that can be shown
   /// The same for the accuracy by fault type, for datasets that have it (run::Diagnosis).
-  std::optional<scoring::Summary> kind;
+  std::optional<scoring::Summary> type_accuracy;
   /// run::Diagnosis::speed_ratio; set if faults are known in other conditions than tested.
   std::optional<double> speed_ratio;
   /// Published number of this dataset, or of its counterpart (report/paper.hpp), which is for
@@ -79,7 +79,7 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
 std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
 /// True if the rows have accuracies by fault type. Then all rows have them, but gains do not. The
 /// paper has no numbers for such datasets.
-bool tell_kinds(const std::vector<AccuracyRow>& rows);
+bool have_fault_types(const std::vector<AccuracyRow>& rows);
 /// Returns the rows of one method.
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);
 
@@ -105,7 +105,7 @@ struct ClassifierRows {
   std::vector<AccuracyRow> rows;  ///< at least one
   /// Reference: accuracy of the reference classifier (diagnosis/catalogue.hpp) without generated
   /// windows. Empty if unknown, and for the rows of the reference classifier itself.
-  std::optional<AccuracyRow> bar = {};
+  std::optional<AccuracyRow> reference_row = {};
 };
 
 /// Returns the rows of each classifier that gets tables, in the order of the catalogue. The
@@ -118,7 +118,7 @@ std::vector<AccuracyRow> rows_by(const std::vector<AccuracyRow>& rows,
                                  const std::string& classifier);
 
 /// Returns "none by nearest", the name of such a row in the table of another classifier.
-std::string bar_label(const AccuracyRow& bar);
+std::string reference_label(const AccuracyRow& reference_row);
 
 /// A row of accuracies and its name in a table of its classifier.
 struct ShownRow {

@@ -33,12 +33,12 @@ std::string heading_of(const AccuracyColumn& column, Writer writer, const std::s
   return column.heading == std::string("paper") ? paper : column.heading;
 }
 
-bool says_something(const text::Cell& cell) { return !cell.text.empty() && cell.text != no_number; }
+bool is_informative(const text::Cell& cell) { return !cell.text.empty() && cell.text != no_number; }
 
 text::Table rows_table(const std::vector<ShownRow>& rows, Writer writer, NumberStyle style = {},
                        const std::string& paper = "") {
-  const bool kinds =
-      std::ranges::any_of(rows, [](const ShownRow& shown) { return shown.row.kind.has_value(); });
+  const bool types = std::ranges::any_of(
+      rows, [](const ShownRow& shown) { return shown.row.type_accuracy.has_value(); });
   Columns<ShownRow> columns;
   if (writer == Writer::csv) {
     columns.name_fields(&ShownRow::row);
@@ -49,12 +49,12 @@ text::Table rows_table(const std::vector<ShownRow>& rows, Writer writer, NumberS
   }
   for (const AccuracyColumn& column : accuracy_columns()) {
     const std::string heading = heading_of(column, writer, paper);
-    if (heading.empty() || column.kinds.value_or(kinds) != kinds) continue;
+    if (heading.empty() || column.types.value_or(types) != types) continue;
     const auto cell_of = [&column, style](const ShownRow& shown) {
       return column.cell(shown.row, style);
     };
     const bool any = std::ranges::any_of(
-        rows, [&](const ShownRow& shown) { return says_something(cell_of(shown)); });
+        rows, [&](const ShownRow& shown) { return is_informative(cell_of(shown)); });
     if (writer == Writer::csv) {
       columns.field(heading, cell_of);
     } else if (writer == Writer::terminal || any) {
@@ -88,30 +88,30 @@ std::string value_of_seed(const AccuracyRow& row, const std::vector<std::int64_t
   return value ? number_label(*value) : "";
 }
 
-/// Returns Table 6 with a run in each row, because ten columns would be too wide. `bar` is null if
-/// unknown.
-text::Table runs_table(const AccuracyRow& row, const AccuracyRow* bar,
+/// Returns Table 6 with a run in each row, because ten columns would be too wide. `reference_row`
+/// is null if unknown.
+text::Table runs_table(const AccuracyRow& row, const AccuracyRow* reference_row,
                        const PaperReference& reference, const Published& published) {
   const std::optional<double> theirs = row.theirs();
   const std::vector<double> their_runs =
-      theirs ? published.baseline_runs(reference.beside()->paper.name) : std::vector<double>{};
+      theirs ? published.baseline_runs(reference.counterpart()->paper.name) : std::vector<double>{};
   Cells header{"run", "here"};
-  if (bar != nullptr) header.push_back("by " + bar->classifier);
+  if (reference_row != nullptr) header.push_back("by " + reference_row->classifier);
   if (theirs) header.push_back(reference.label());
   text::Table table(header, 1);
   for (std::size_t run = 0; run < std::max(row.values.size(), their_runs.size()); ++run) {
     Cells cells{run_label(run, row.seeds), value_label(row.values, run)};
-    if (bar != nullptr) cells.push_back(value_of_seed(*bar, row.seeds, run));
+    if (reference_row != nullptr) cells.push_back(value_of_seed(*reference_row, row.seeds, run));
     if (theirs) cells.push_back(value_label(their_runs, run));
     table.row(cells);
   }
   Cells mean{"mean", mean_label(row.summary)};
-  if (bar != nullptr) mean.push_back(mean_label(bar->summary));
+  if (reference_row != nullptr) mean.push_back(mean_label(reference_row->summary));
   if (theirs) mean.push_back(number_label(*theirs));
   table.row(mean);
   if (has_interval(row)) {
     Cells interval{"95 % interval", interval_label(row.summary)};
-    if (bar != nullptr) interval.push_back(interval_label(bar->summary));
+    if (reference_row != nullptr) interval.push_back(interval_label(reference_row->summary));
     table.row(interval);
   }
   return table;
@@ -137,10 +137,11 @@ std::string model_label(const std::string& method) {
   return method + " (" + model_name(*augment::find_entry(method)) + ")";
 }
 
-/// Returns a block for each method, with a row for each ratio. `bar` is null if it is unknown or
-/// not part of the table.
-text::Table blocks_table(const MethodGroup& group, const Rows& rows, const AccuracyRow* bar,
-                         const PaperReference& reference, NumberStyle style) {
+/// Returns a block for each method, with a row for each ratio. `reference_row` is null if it is
+/// unknown or not part of the table.
+text::Table blocks_table(const MethodGroup& group, const Rows& rows,
+                         const AccuracyRow* reference_row, const PaperReference& reference,
+                         NumberStyle style) {
   std::vector<ShownRow> shown;
   const auto add_block = [&](const std::string& name, const Rows& own) {
     for (const AccuracyRow& row : own) {
@@ -154,25 +155,30 @@ text::Table blocks_table(const MethodGroup& group, const Rows& rows, const Accur
                         group.are_models ? model_label(method) : method_label(method)),
               own);
   }
-  if (bar != nullptr) {
-    add_block(marked_if(has_fewer_seeds({*bar}, rows), bar_label(*bar)), {*bar});
+  if (reference_row != nullptr) {
+    add_block(marked_if(has_fewer_seeds({*reference_row}, rows), reference_label(*reference_row)),
+              {*reference_row});
   }
   return rows_table(shown, Writer::documents, style, reference.label());
 }
 
-std::string about_bar(const std::optional<AccuracyRow>& bar) {
-  return bar ? bar_label(*bar) + " is " + diagnosis::the_classifier(bar->classifier).what : "";
+std::string about_reference(const std::optional<AccuracyRow>& reference_row) {
+  return reference_row ? reference_label(*reference_row) + " is " +
+                             diagnosis::the_classifier(reference_row->classifier).what
+                       : "";
 }
 
-std::string means_note(const PaperReference& reference, const std::optional<AccuracyRow>& bar) {
-  const std::string of_bar =
-      bar ? " " + about_bar(bar) + ": what a method must exceed to be needed." : "";
+std::string means_note(const PaperReference& reference,
+                       const std::optional<AccuracyRow>& reference_row) {
+  const std::string of_reference = reference_row ? " " + about_reference(reference_row) +
+                                                       ": what a method must exceed to be needed."
+                                                 : "";
   return std::string("All methods side by side. Their spread and intervals") +
-         (reference.beside() ? ", and what the paper publishes," : "") +
-         " follow, method by method." + of_bar;
+         (reference.counterpart() ? ", and what the paper publishes," : "") +
+         " follow, method by method." + of_reference;
 }
 
-constexpr const char* kinds_note =
+constexpr const char* types_note =
     "How often the kind is right: healthy, or which part of the bearing is damaged, whatever the "
     "size. It is what a maintainer asks first.";
 
@@ -194,13 +200,14 @@ std::string models_note(const MethodGroup& group) {
 void add_group(std::vector<Section>& sections, const MethodGroup& group,
                const ClassifierRows& of_classifier, const Rows& gains,
                const PaperReference& reference) {
-  const auto& [classifier, rows, bar] = of_classifier;
+  const auto& [classifier, rows, reference_row] = of_classifier;
   sections.push_back(
       reference.table(group.table)
           .of({"accuracy-" + group.key,
                "Accuracy of " + group.name + " on " + reference.dataset() + ", percent",
                models_note(group),
-               blocks_table(group, rows, bar ? &*bar : nullptr, reference, {})}));
+               blocks_table(group, rows, reference_row ? &*reference_row : nullptr, reference,
+                            {})}));
   if (gains.empty()) return;
   sections.push_back(
       reference.figure(group.gain_figure)
@@ -222,12 +229,13 @@ text::Cell page_cell(const AccuracyRow& row, NumberStyle style, const PaperRefer
   cell.source = files_of(row);
   for (const AccuracyColumn& column : accuracy_columns()) {
     const std::string heading = heading_of(column, Writer::documents, reference.label());
-    if (heading.empty() || column.kinds.value_or(row.kind.has_value()) != row.kind.has_value() ||
+    if (heading.empty() ||
+        column.types.value_or(row.type_accuracy.has_value()) != row.type_accuracy.has_value() ||
         column.field == std::string("mean")) {
       continue;
     }
     const text::Cell other = column.cell(row, style);
-    cell.more.push_back(says_something(other) ? heading + " " + other.text : "");
+    cell.more.push_back(is_informative(other) ? heading + " " + other.text : "");
   }
   cell.more.push_back(
       row.seeds.size() < seeds ? fmt::format("{} of {} seeds", row.seeds.size(), seeds) : "");
@@ -250,7 +258,7 @@ std::string by(const ClassifierRows& block) {
 
 std::string about_published(const PaperReference& reference, const std::string& classifier) {
   if (classifier != scoring::paper_classifier) return " The paper has no such classifier.";
-  if (!reference.beside()) return " The paper has no such data set.";
+  if (!reference.counterpart()) return " The paper has no such data set.";
   return " What the paper publishes is from its Tables 6 to 11 (results/published/*.csv).";
 }
 
@@ -273,7 +281,8 @@ std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
   for (const ClassifierRows& block : blocks) {
     std::vector<ShownRow> shown;
     for (const AccuracyRow& row : block.rows) shown.push_back({method_label(row.method), row});
-    if (block.bar) shown.push_back({bar_label(*block.bar), *block.bar});
+    if (block.reference_row)
+      shown.push_back({reference_label(*block.reference_row), *block.reference_row});
     if (blocks.size() > 1) text += "by " + block.classifier + '\n';
     text += rows_table(shown, Writer::terminal).plain();
   }
@@ -281,9 +290,10 @@ std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
 }
 
 text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
-                         const std::optional<AccuracyRow>& bar, const MatrixStyle& style) {
+                         const std::optional<AccuracyRow>& reference_row,
+                         const MatrixStyle& style) {
   Rows all = rows;
-  if (bar) all.push_back(*bar);
+  if (reference_row) all.push_back(*reference_row);
   const std::vector<RatioColumn> columns = ratio_columns(all);
   text::Table table({"method"}, 1);
   for (const RatioColumn& column : columns) {
@@ -296,7 +306,7 @@ text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
   };
   for (const std::string& method : methods_of(rows))
     add(method_label(method), rows_of(rows, method));
-  if (bar) add(bar_label(*bar), {*bar});
+  if (reference_row) add(reference_label(*reference_row), {*reference_row});
   return table;
 }
 
@@ -311,10 +321,11 @@ std::vector<Section> ratio_sections(const ClassifierRows& block, std::size_t see
                "/seed*/<method>/<ratio>/" + block.classifier +
                "/diagnosis.h5; each is in the list of cells below." +
                about_published(reference, block.classifier) +
-               (block.bar ? " " + about_bar(block.bar) + "." : ""),
-       .table = ratio_matrix(block.rows, block.bar, {.cell_of = [&](const AccuracyRow& row) {
-                               return page_cell(row, {}, reference, seeds);
-                             }})}};
+               (block.reference_row ? " " + about_reference(block.reference_row) + "." : ""),
+       .table =
+           ratio_matrix(block.rows, block.reference_row, {.cell_of = [&](const AccuracyRow& row) {
+                          return page_cell(row, {}, reference, seeds);
+                        }})}};
   const Rows gains = gain_rows(block.rows);
   if (gains.empty()) return sections;
   sections.push_back({.key = "gain",
@@ -333,13 +344,13 @@ std::vector<Section> ratio_sections(const ClassifierRows& block, std::size_t see
 std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
                                        const Published& published) {
   const Rows& rows = of_classifier.rows;
-  const std::optional<AccuracyRow>& bar = of_classifier.bar;
+  const std::optional<AccuracyRow>& reference_row = of_classifier.reference_row;
   const std::string& dataset = rows.front().dataset;
   const PaperReference reference(dataset, of_classifier.classifier);
   const Rows gains = gain_rows(rows);
   std::vector<std::string> methods = methods_of(rows);
   const auto means_of = [&](const scoring::Summary& (*shown)(const AccuracyRow&)) {
-    return ratio_matrix(rows, bar,
+    return ratio_matrix(rows, reference_row,
                         {.marks_fewer_seeds = true, .cell_of = [&](const AccuracyRow& row) {
                            return number_cell(shown(row).mean);
                          }});
@@ -347,21 +358,25 @@ std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
   std::vector<Section> sections;
   if (methods.size() > 1) {
     sections.push_back(reference.none().of(
-        {"accuracy-means", "Mean accuracy on " + dataset + ", percent", means_note(reference, bar),
+        {"accuracy-means", "Mean accuracy on " + dataset + ", percent",
+         means_note(reference, reference_row),
          means_of([](const AccuracyRow& row) -> const scoring::Summary& { return row.summary; })}));
   }
-  if (tell_kinds(rows)) {
+  if (have_fault_types(rows)) {
     sections.push_back(reference.none().of(
         {"accuracy-kinds", "Mean accuracy by kind of defect on " + dataset + ", percent",
-         kinds_note,
-         means_of([](const AccuracyRow& row) -> const scoring::Summary& { return *row.kind; })}));
+         types_note, means_of([](const AccuracyRow& row) -> const scoring::Summary& {
+           return *row.type_accuracy;
+         })}));
   }
   for (const AccuracyRow& row : rows_of(rows, augment::no_method)) {
     sections.push_back(reference.table(&PaperDataset::baseline_table)
                            .of({"accuracy-none",
                                 "Accuracy on " + dataset + " without generated windows, " +
                                     ratio_label(row.ratio, row.true_ratio) + ", percent",
-                                "", runs_table(row, bar ? &*bar : nullptr, reference, published)}));
+                                "",
+                                runs_table(row, reference_row ? &*reference_row : nullptr,
+                                           reference, published)}));
   }
   std::erase(methods, augment::no_method);
   for (const MethodGroup& group : method_groups(methods)) {

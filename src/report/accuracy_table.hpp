@@ -27,9 +27,10 @@ struct MatrixStyle {
   std::function<text::Cell(const AccuracyRow&)> cell_of;
 };
 
-/// Returns a table with a method in each row and a ratio in each column; `bar` follows if known.
+/// Returns a table with a method in each row and a ratio in each column; `reference_row` follows if
+/// known.
 text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
-                         const std::optional<AccuracyRow>& bar, const MatrixStyle& style);
+                         const std::optional<AccuracyRow>& reference_row, const MatrixStyle& style);
 
 /// Returns the means of all methods side by side. Tables 6 to 11 of the paper and the gains of its
 /// Figs 15 and 18 follow, with the published numbers next to ours. Other datasets get the same

@@ -31,12 +31,14 @@ std::string method_of_interest(const std::vector<std::string>& methods, bool car
 }
 
 std::string choose_other_side(const std::vector<AccuracyRow>& rows,
-                              const std::vector<std::string>& methods, const std::string& asked) {
-  if (asked.empty()) return method_of_interest(methods, rows.front().speed_ratio.has_value());
-  if (std::ranges::count(methods, asked) > 0) return asked;
+                              const std::vector<std::string>& methods,
+                              const std::string& requested) {
+  if (requested.empty()) return method_of_interest(methods, rows.front().speed_ratio.has_value());
+  if (std::ranges::count(methods, requested) > 0) return requested;
   std::string known;
   for (const std::string& method : methods) known += ' ' + method;
-  throw Error(Exit::usage, "--against " + asked + ": has no cell here; methods that have:" + known);
+  throw Error(Exit::usage,
+              "--against " + requested + ": has no cell here; methods that have:" + known);
 }
 
 /// Compares the means of the ratios that both have.

@@ -73,11 +73,11 @@ run::Layout layout_of(const std::filesystem::path& folder) {
 }
 
 /// Reads one side: the requested cells, and other cells that both sides have.
-Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions asked,
+Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOptions read,
                const std::vector<std::string>& leave_out) {
-  asked.dataset = layout.folder().filename();
+  read.dataset = layout.folder().filename();
   const run::Collected all = collect_held_diagnoses(
-      layout, resolve(asked), run::Held(layout, other, leave_out), run::Classifiers::papers);
+      layout, resolve(read), run::Held(layout, other, leave_out), run::Classifiers::papers);
   run::require_all(all.results);
   return {.run = layout.folder().parent_path(),
           .dataset = all.grid.dataset,
@@ -88,12 +88,12 @@ Side read_side(const run::Layout& layout, const run::Layout& other, run::GridOpt
 
 }  // namespace
 
-Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
+Contrast read_contrast(const Folders& folders, const run::GridOptions& read,
                        const std::vector<std::string>& leave_out) {
   const run::Layout with = layout_of(folders.with);
   const run::Layout without = layout_of(folders.without);
-  return contrast(read_side(with, without, asked, leave_out),
-                  read_side(without, with, asked, leave_out));
+  return contrast(read_side(with, without, read, leave_out),
+                  read_side(without, with, read, leave_out));
 }
 
 Contrast contrast(Side with, Side without) {

@@ -39,7 +39,7 @@ Contrast contrast(Side with, Side without);
 
 /// Reads the requested cells, which both sides must have, and all others that both have.
 /// run/held.hpp explains `leave_out`. Throws as contrast(), resolve() and run::require_all() do.
-Contrast read_contrast(const Folders& folders, const run::GridOptions& asked,
+Contrast read_contrast(const Folders& folders, const run::GridOptions& read,
                        const std::vector<std::string>& leave_out);
 
 /// Returns CSV with,without,method,ratio,with_mean,with_std,without_mean,without_std and

@@ -83,7 +83,7 @@ struct ConfidenceRow {
   AccuracyRow row;
   scoring::Summary calibration_error = {};  ///< percent
   scoring::Summary answerable = {};         ///< percent of the test windows
-  bool tells = false;                       ///< whether it reports its confidence in any seed
+  bool ranks_answers = false;               ///< whether it reports its confidence in any seed
 };
 
 /// Summarises the confidence of a row's cells. Expects at least one cell in `results`.
@@ -95,7 +95,7 @@ ConfidenceRow confidence_of(const ShownRow& shown, const run::Results& results) 
        run::diagnoses_of(results, {shown.row.method, shown.row.ratio, shown.row.classifier})) {
     errors.push_back(100 * cell.confidence.calibration_error);
     shares.push_back(100 * cell.confidence.answerable);
-    confidence.tells = confidence.tells || cell.confidence.tells;
+    confidence.ranks_answers = confidence.ranks_answers || cell.confidence.ranks_answers;
   }
   confidence.calibration_error = summarise_within(percents, errors);
   confidence.answerable = summarise_within(percents, shares);
@@ -121,7 +121,7 @@ text::Table confidence_table(const std::vector<ConfidenceRow>& rows) {
       .field("seeds", [](const Row& row) { return count_cell(row.answerable.count); })
       .summary_fields("calibration_error_mean", "calibration_error_", &Row::calibration_error)
       .summary_fields("answerable_mean", "answerable_", &Row::answerable)
-      .field("tells", [](const Row& row) { return row.tells ? "1" : "0"; });
+      .field("tells", [](const Row& row) { return row.ranks_answers ? "1" : "0"; });
   return columns.table(rows);
 }
 
@@ -206,7 +206,7 @@ std::vector<Section> confidence_sections(const ClassifierRows& block, const run:
   std::vector<std::string> silent;
   for (const ShownRow& shown : rows_with_most_windows(block)) {
     rows.push_back(confidence_of(shown, results));
-    if (!rows.back().tells) silent.push_back(shown.name);
+    if (!rows.back().ranks_answers) silent.push_back(shown.name);
   }
   const std::string& dataset = block.rows.front().dataset;
   return {PaperReference(dataset, block.classifier)

@@ -27,8 +27,8 @@ std::string decisions_gap(const run::Results& results);
 
 /// Returns confidence.csv: dataset,method,classifier,ratio,seeds,calibration_error_mean,
 /// calibration_error_std,calibration_error_ci95_low,calibration_error_ci95_high,answerable_mean,
-/// answerable_std,answerable_ci95_low,answerable_ci95_high,tells, in percent. `tells` is 1 if the
-/// classifier reports its confidence.
+/// answerable_std,answerable_ci95_low,answerable_ci95_high,tells, in percent. `ranks_answers` is 1
+/// if the classifier reports its confidence.
 std::string confidence_csv(const std::vector<AccuracyRow>& rows, const run::Results& results);
 
 /// Returns a section with a method in each row, at its ratio with the most generated windows.

@@ -60,7 +60,7 @@ Compared compared(const std::vector<run::Diagnosis>& cells, const std::string& q
   const std::int64_t most =
       std::ranges::max_element(rows, {}, &AccuracyRow::generated_per_class)->generated_per_class;
   if (alone == rows.end() || most == 0) throw no_cells(question);
-  Compared found{.alone = *alone, .methods = {}, .nearest = blocks.front().bar};
+  Compared found{.alone = *alone, .methods = {}, .nearest = blocks.front().reference_row};
   std::ranges::copy_if(rows, std::back_inserter(found.methods),
                        [&](const AccuracyRow& row) { return row.generated_per_class == most; });
   std::ranges::stable_sort(found.methods, std::ranges::greater(),

@@ -38,14 +38,14 @@ std::string label_of(const Document& document, const Section& section) {
 }
 
 /// Returns the findings and the note as one paragraph.
-std::string said_of(const Section& section) {
+std::string text_of(const Section& section) {
   std::string text;
   for (const std::string& finding : section.findings) text += finding + " ";
   return text + section.note;
 }
 
 std::string latex_float(const Document& document, const Section& section) {
-  const std::string note = said_of(section).empty() ? "" : " " + said_of(section);
+  const std::string note = text_of(section).empty() ? "" : " " + text_of(section);
   return "\\begin{table}\n\\centering\n" +
          wrapped("\\caption{" + text::latex_text(section.title + "." + note) + "}") +
          "\\label{tab:" + label_of(document, section) +
@@ -66,8 +66,8 @@ std::string markdown(const Document& document) {
   }
   for (const Section& section : document.sections) {
     text += "\n## " + text::markdown_text(section.title) + "\n\n";
-    const std::string said = said_of(section);
-    if (!said.empty()) text += wrapped(text::markdown_text(said)) + '\n';
+    const std::string prose = text_of(section);
+    if (!prose.empty()) text += wrapped(text::markdown_text(prose)) + '\n';
     text += section.table.markdown(widest_line);
   }
   return text;

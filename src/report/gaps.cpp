@@ -14,27 +14,27 @@ namespace {
 
 using SeedSet = std::set<std::int64_t>;
 /// Statements, each with the methods that it is about, in order.
-using Sayings = std::vector<std::pair<std::string, std::string>>;
+using Facts = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns "seed 3" or "seeds 0 to 9".
 std::string seeds_label(const SeedSet& seeds) {
   return (seeds.size() == 1 ? "seed " : "seeds ") + seed_list({seeds.begin(), seeds.end()});
 }
 
-void say(Sayings& sayings, const std::string& method, const std::string& what) {
-  for (auto& [said, methods] : sayings) {
-    if (said != what) continue;
+void add_fact(Facts& facts, const std::string& method, const std::string& what) {
+  for (auto& [words, methods] : facts) {
+    if (words != what) continue;
     methods += ", " + method;
     return;
   }
-  sayings.emplace_back(what, method);
+  facts.emplace_back(what, method);
 }
 
 /// Returns "vae, smote: seeds 0 to 2; shift: 10:1".
-std::string joined(const Sayings& sayings) {
+std::string joined(const Facts& facts) {
   std::string text;
-  for (const auto& [said, methods] : sayings) {
-    text.append(text.empty() ? "" : "; ").append(methods).append(": ").append(said);
+  for (const auto& [words, methods] : facts) {
+    text.append(text.empty() ? "" : "; ").append(methods).append(": ").append(words);
   }
   return text;
 }
@@ -104,30 +104,30 @@ std::string diagnoses_of(const run::Grid& grid, const run::Results& results,
 }
 
 std::string fewer_cells(const run::Grid& grid, const run::Results& results) {
-  Sayings sayings;
+  Facts facts;
   std::set<std::string> seen;
   for (const run::Combination& cell : grid.combinations) {
     const std::string name = run::name_by(cell.method, cell.classifier);
     if (!seen.insert(name).second) continue;
     const std::string has = diagnoses_of(run::of_classifier(grid, cell.classifier), results,
                                          cell.method, cell.classifier);
-    if (!has.empty()) say(sayings, name, has);
+    if (!has.empty()) add_fact(facts, name, has);
   }
-  return joined(sayings);
+  return joined(facts);
 }
 
 /// Returns the methods whose scores and diagnoses have different seeds.
 std::string fewer_scores(const run::Grid& grid, const run::Results& results) {
-  Sayings sayings;
+  Facts facts;
   for (const std::string& method : grid.scored) {
     SeedSet diagnosed;
     for (const run::Diagnosis& cell : results.diagnoses) {
       if (cell.method == method) diagnosed.insert(cell.seed);
     }
     const SeedSet scored = seeds_of_scores(results, method);
-    if (!diagnosed.empty() && scored != diagnosed) say(sayings, method, seeds_label(scored));
+    if (!diagnosed.empty() && scored != diagnosed) add_fact(facts, method, seeds_label(scored));
   }
-  return joined(sayings);
+  return joined(facts);
 }
 
 }  // namespace
@@ -152,12 +152,12 @@ std::string left_out_line(const run::Results& results) {
     if (seeds[name].empty()) methods.push_back(name);
     seeds[name].insert(cell.seed);
   }
-  Sayings sayings;
-  for (const std::string& method : methods) say(sayings, method, seeds_label(seeds[method]));
-  if (sayings.empty()) return "";
+  Facts facts;
+  for (const std::string& method : methods) add_fact(facts, method, seeds_label(seeds[method]));
+  if (facts.empty()) return "";
   return "left out, since they are damaged, or of other settings or inputs: cells "
          "of " +
-         joined(sayings);
+         joined(facts);
 }
 
 std::vector<std::string> gap_paragraphs(const run::Grid& grid, const run::Results& results) {

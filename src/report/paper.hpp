@@ -80,7 +80,7 @@ class PaperReference {
 
   [[nodiscard]] const std::string& dataset() const { return dataset_; }
   /// Returns nothing for a dataset without a counterpart in the paper.
-  [[nodiscard]] const std::optional<Counterpart>& beside() const { return counterpart_; }
+  [[nodiscard]] const std::optional<Counterpart>& counterpart() const { return counterpart_; }
 
   /// Returns the words for a table that the paper does not have: "hit-sm stands in for HFHP." Empty
   /// for a dataset of the paper or without a counterpart.

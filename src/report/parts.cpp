@@ -18,7 +18,7 @@ constexpr NumberStyle one_decimal_signed{.decimals = 1, .sign = true};
 
 bool is_the_method(const SweepRow& row) { return row.point.factor.empty(); }
 
-bool tells_kinds(const PartRow& row) { return row.moved.accuracy.kind.has_value(); }
+bool has_fault_types(const PartRow& row) { return row.moved.accuracy.type_accuracy.has_value(); }
 
 std::vector<SweepRow> moved_rows(const std::vector<PartRow>& rows) {
   std::vector<SweepRow> moved;
@@ -37,9 +37,9 @@ std::string setting_label(const SweepPoint& point) {
 
 /// Returns a row for each setting. Marks settings with fewer than `most` seeds.
 text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
-  const bool kinds = std::ranges::any_of(rows, tells_kinds);
+  const bool types = std::ranges::any_of(rows, has_fault_types);
   std::vector<std::string> header{"setting", "accuracy", "95 % interval"};
-  if (kinds) header.emplace_back("by kind");
+  if (types) header.emplace_back("by kind");
   header.insert(header.end(), {"difference", "95 % interval"});
   text::Table table(header, 1);
   for (const PartRow& row : rows) {
@@ -47,7 +47,7 @@ text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
     std::vector<std::string> cells{
         marked_if(accuracy.seeds.size() < most, setting_label(row.moved.point)),
         mean_label(accuracy.summary, one_decimal), interval_label(accuracy.summary, one_decimal)};
-    if (kinds) cells.push_back(mean_label(*accuracy.kind, one_decimal));
+    if (types) cells.push_back(mean_label(*accuracy.type_accuracy, one_decimal));
     if (row.difference) {
       const scoring::Summary& difference = row.difference->paired.difference;
       cells.push_back(mean_label(difference, one_decimal_signed));
@@ -105,9 +105,9 @@ std::string parts_csv(const Sweep& sweep, const std::vector<PartRow>& rows) {
       .summary_fields("mean", "", [](const Row& row) { return row.moved.accuracy.summary; })
       .field("pairs", pairs)
       .summary_fields("difference", "difference_", difference_of);
-  if (std::ranges::any_of(rows, tells_kinds)) {
+  if (std::ranges::any_of(rows, has_fault_types)) {
     columns.summary_fields("kind_mean", "kind_",
-                           [](const Row& row) { return row.moved.accuracy.kind; });
+                           [](const Row& row) { return row.moved.accuracy.type_accuracy; });
   }
   return columns.table(rows).csv();
 }
@@ -118,14 +118,14 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
       .key = sweep.grid.dataset + "-" + run::sweep_name(sweep.method),
       .title = "What each part of " + sweep.method + " is worth on " + sweep.grid.dataset};
   const std::vector<std::int64_t> seeds = seeds_of_any_row(moved_rows(rows));
-  const bool kinds = std::ranges::any_of(rows, tells_kinds);
+  const bool types = std::ranges::any_of(rows, has_fault_types);
   document.paragraphs.push_back(fmt::format(
       "Accuracy in percent by {} where one setting of {} is moved and all others are those of the "
       "grid. The difference to the method as it is in the grid is in points and paired by seed: "
       "below zero the method is worse without that part. {}Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}",
       sweep.classifier, sweep.method,
-      kinds ? "By kind: a window counts as right where the damaged part of the bearing is named, "
+      types ? "By kind: a window counts as right where the damaged part of the bearing is named, "
               "whatever the size of the defect. "
             : "",
       to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),

@@ -110,7 +110,7 @@ std::vector<Section> quality_sections(const run::Grid& grid, const run::Results&
     for (const Metric& metric : scoring::all_metrics()) {
       const Place place =
           metric.in_paper ? reference.figure(group.quality_figure) : reference.none();
-      const bool drawn = metric.in_paper && reference.beside();
+      const bool drawn = metric.in_paper && reference.counterpart();
       sections.push_back(place.of(
           {"quality-" + group.key + "-" + metric.name,
            "Quality of " + group.name + " on " + grid.dataset + ": " + metric.title,

@@ -89,7 +89,7 @@ void compare_with_best(Recommendation& into) {
                                 rows.begin() + static_cast<std::ptrdiff_t>(into.best));
   add_holm_p(family);
   std::ranges::copy(family, rows.begin());
-  into.can_tell = std::ranges::all_of(
+  into.can_decide = std::ranges::all_of(
       family, [](const PairedRow& row) { return row.p_holm && row.p_can_be_small; });
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i != into.best) into.by_effort[i].behind = std::move(rows[i]);
@@ -97,7 +97,7 @@ void compare_with_best(Recommendation& into) {
 }
 
 std::size_t least_that_is_as_good(const Recommendation& of) {
-  std::size_t i = of.can_tell ? 0 : of.best;
+  std::size_t i = of.can_decide ? 0 : of.best;
   while (i < of.best && *of.by_effort[i].behind->p_holm <= significance_level) ++i;
   return i;
 }
@@ -136,7 +136,7 @@ Effort effort_of(const std::string& method, const std::string& classifier) {
   return generates ? Effort::windows : Effort::nothing;
 }
 
-std::size_t Recommendation::seeds_to_tell() const {
+std::size_t Recommendation::seeds_to_decide() const {
   if (best == 0) return 0;
   std::size_t seeds = 1;
   while (scoring::smallest_p(seeds) * static_cast<double>(best) > significance_level) ++seeds;

@@ -43,14 +43,14 @@ struct Recommendation {
   std::vector<Candidate> by_effort = {};   ///< the most accurate of each effort, the least first
   std::size_t best = 0;                    ///< the most accurate of all, an index into by_effort
   std::size_t taken = 0;                   ///< index of the recommended candidate
-  bool can_tell = true;                    ///< whether the seeds are enough to show a difference
+  bool can_decide = true;                  ///< whether the seeds are enough to show a difference
   std::vector<signal::ClassInfo> classes = {};
 
   [[nodiscard]] const Candidate& most_accurate() const { return by_effort[best]; }
   [[nodiscard]] const Candidate& recommended() const { return by_effort[taken]; }
   /// Returns how many seeds could distinguish the best from candidates that take less; 0 if none
   /// takes less.
-  [[nodiscard]] std::size_t seeds_to_tell() const;
+  [[nodiscard]] std::size_t seeds_to_decide() const;
 };
 
 /// Returns a recommendation at each ratio with generated windows, the most windows last; at 100to1

@@ -88,12 +88,12 @@ std::string why_the_best(const Recommendation& of) {
       fmt::format("It is the most accurate of the {} that were compared", of.compared);
   const std::span less = std::span(of.by_effort).first(of.best);
   if (less.empty()) return most + ", and none takes less.";
-  if (!of.can_tell) {
+  if (!of.can_decide) {
     return fmt::format(
         "{}. Whether what takes less is as good, {} cannot tell: {}. At least {} "
         "seeds could.",
         most, counted_seeds(of.most_accurate()), listed_behind(of, less, false),
-        of.seeds_to_tell());
+        of.seeds_to_decide());
   }
   return most + ", and what takes less is significantly worse: " + listed_behind(of, less, true) +
          ".";

@@ -35,9 +35,10 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   for (const ClassifierRows& block : blocks) {
     if (blocks.size() > 1) text += (text.empty() ? "" : "\n") + ("by " + block.classifier) + '\n';
     text +=
-        ratio_matrix(block.rows, block.bar, {.short_ratios = true, .cell_of = shown_mean}).plain();
-    const std::string kinds = kinds_sentence(block);
-    if (!kinds.empty()) text += '\n' + wrapped_at_80(kinds);
+        ratio_matrix(block.rows, block.reference_row, {.short_ratios = true, .cell_of = shown_mean})
+            .plain();
+    const std::string types = types_sentence(block);
+    if (!types.empty()) text += '\n' + wrapped_at_80(types);
   }
   return text;
 }
@@ -84,9 +85,10 @@ std::string overview_title(const ClassifierRows& block, std::size_t seeds) {
 std::string how_to_read_overview(const ClassifierRows& block, std::size_t seeds) {
   const PaperReference reference(block.rows.front().dataset, block.classifier);
   std::string text;
-  if (reference.beside()) {
-    text += fmt::format(" Numbers are ours/the paper's of {}.", reference.beside()->paper.title);
-    if (!reference.beside()->own) text += " " + std::string(reference.beside()->caution);
+  if (reference.counterpart()) {
+    text +=
+        fmt::format(" Numbers are ours/the paper's of {}.", reference.counterpart()->paper.title);
+    if (!reference.counterpart()->own) text += " " + std::string(reference.counterpart()->caution);
   }
   const bool any_fewer = std::ranges::any_of(
       block.rows, [&](const AccuracyRow& row) { return row.seeds.size() < seeds; });

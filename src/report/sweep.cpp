@@ -46,25 +46,25 @@ run::Series series_of(const Sweep& sweep, const SweepPoint& point,
 /// Returns the seeds at which the run holds any changed setting, and the requested seeds. Ignores
 /// centres: their cells belong to the grid, which may have other seeds.
 std::vector<std::int64_t> swept_seeds(const run::Layout& layout, const Sweep& sweep,
-                                      const std::string& ratio, bool is_asked,
+                                      const std::string& ratio, bool is_requested,
                                       const run::Held& held) {
   std::set<std::int64_t> seeds;
   for (const SweepPoint& point : sweep.points) {
     if (point.centre) continue;
     const auto of_point = held.seeds_with(
-        is_asked ? sweep.grid.seeds : std::vector<std::int64_t>{},
+        is_requested ? sweep.grid.seeds : std::vector<std::int64_t>{},
         [&](std::int64_t seed) { return diagnosis_of(layout, sweep, point, ratio, seed); });
     seeds.insert(of_point.begin(), of_point.end());
   }
-  if (is_asked) seeds.insert(sweep.grid.seeds.begin(), sweep.grid.seeds.end());
+  if (is_requested) seeds.insert(sweep.grid.seeds.begin(), sweep.grid.seeds.end());
   return {seeds.begin(), seeds.end()};
 }
 
 /// Cells to read at one ratio.
 struct SweptRatio {
   run::Combination combination;
-  std::vector<std::int64_t> asked;  ///< required seeds
-  std::vector<std::int64_t> seeds;  ///< all seeds that may exist
+  std::vector<std::int64_t> requested;  ///< required seeds
+  std::vector<std::int64_t> seeds;      ///< all seeds that may exist
 };
 
 std::vector<SweptRatio> swept_ratios(const run::Layout& layout, const Sweep& sweep,
@@ -73,11 +73,11 @@ std::vector<SweptRatio> swept_ratios(const run::Layout& layout, const Sweep& swe
   for (const scoring::Ratio& ratio : scoring::all_ratios()) {
     const run::Combination cell{sweep.method, ratio.name, sweep.classifier};
     if (!run::go_together(cell.method, ratio)) continue;
-    const bool is_asked =
+    const bool is_requested =
         std::ranges::count(sweep.grid.combinations, cell.ratio, &run::Combination::ratio) > 0;
     SweptRatio swept{.combination = cell,
-                     .asked = is_asked ? sweep.grid.seeds : std::vector<std::int64_t>{},
-                     .seeds = swept_seeds(layout, sweep, cell.ratio, is_asked, held)};
+                     .requested = is_requested ? sweep.grid.seeds : std::vector<std::int64_t>{},
+                     .seeds = swept_seeds(layout, sweep, cell.ratio, is_requested, held)};
     if (!swept.seeds.empty()) ratios.push_back(std::move(swept));
   }
   return ratios;
@@ -89,8 +89,9 @@ std::optional<SweepRow> row_of(const run::Layout& layout, const Sweep& sweep,
   const std::string& name = ratio.combination.ratio;
   std::vector<std::int64_t> seeds;
   for (const std::int64_t seed : ratio.seeds) {
-    const bool is_asked = std::ranges::count(ratio.asked, seed) > 0;
-    if (is_asked || held.has(diagnosis_of(layout, sweep, point, name, seed))) seeds.push_back(seed);
+    const bool is_requested = std::ranges::count(ratio.requested, seed) > 0;
+    if (is_requested || held.has(diagnosis_of(layout, sweep, point, name, seed)))
+      seeds.push_back(seed);
   }
   const std::size_t before = results.diagnoses.size();
   run::collect_diagnoses(layout, sweep.grid.dataset,

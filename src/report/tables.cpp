@@ -73,12 +73,12 @@ Document tables(const run::Grid& grid, const run::Results& results,
                 const std::vector<AccuracyRow>& rows, const Published& published,
                 const std::vector<Comparisons>& comparisons, const std::vector<RankTable>& ranks,
                 const std::vector<Section>& twins) {
-  const auto beside = PaperReference(grid.dataset).beside();
-  const bool stands_in = beside && !beside->own;
+  const auto counterpart = PaperReference(grid.dataset).counterpart();
+  const bool stands_in = counterpart && !counterpart->own;
   Document document{.key = grid.dataset, .title = "Results on " + grid.dataset};
   if (stands_in) {
-    document.title += std::string(", which ") + beside->relation;
-    document.paragraphs.emplace_back(beside->caution);
+    document.title += std::string(", which ") + counterpart->relation;
+    document.paragraphs.emplace_back(counterpart->caution);
   }
   const std::string conditions = conditions_note(results);
   if (!conditions.empty()) document.paragraphs.push_back(conditions);

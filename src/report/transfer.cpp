@@ -35,13 +35,13 @@ const AccuracyRow* find_by(const std::vector<AccuracyRow>& rows, const std::stri
 
 GroupCell cell_of_means(const std::vector<GroupCell>& cells) {
   std::vector<AccuracyRow> rows;
-  std::vector<AccuracyRow> kinds;
+  std::vector<AccuracyRow> types;
   for (const GroupCell& cell : cells) {
     rows.push_back(cell.row);
-    if (cell.kind) kinds.push_back(*cell.kind);
+    if (cell.type_accuracy) types.push_back(*cell.type_accuracy);
   }
   GroupCell mean{mean_of_datasets(rows), std::nullopt};
-  if (kinds.size() == rows.size()) mean.kind = mean_of_datasets(kinds);
+  if (types.size() == rows.size()) mean.type_accuracy = mean_of_datasets(types);
   return mean;
 }
 
@@ -53,7 +53,8 @@ std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
     const AccuracyRow* const row = find_by(each.rows, method, classifier);
     if (row == nullptr) return std::nullopt;
     GroupCell& cell = group.datasets.emplace_back(GroupCell{*row, std::nullopt});
-    if (const AccuracyRow* const kind = find_by(each.kinds, method, classifier)) cell.kind = *kind;
+    if (const AccuracyRow* const type_accuracy = find_by(each.types, method, classifier))
+      cell.type_accuracy = *type_accuracy;
   }
   group.mean = cell_of_means(group.datasets);
   return group;
@@ -79,14 +80,14 @@ GroupRow* best_row(std::vector<GroupRow>& rows, const std::string& method, Quest
 void mark(TransferGroup& group) {
   for (GroupRow& row : group.rows) {
     row.by_class.recorded = is_among(group.choices.inputs_for(Question::by_class), row);
-    row.by_kind.recorded = is_among(group.choices.inputs_for(Question::by_kind), row);
+    row.by_type.recorded = is_among(group.choices.inputs_for(Question::by_type), row);
   }
   for (const augment::CatalogueEntry& entry : augment::catalogue()) {
     GroupRow* const best = best_row(group.rows, entry.name, Question::by_class);
     if (best == nullptr) continue;
     best->by_class.best = true;
-    if (!group.tells_kinds()) continue;
-    best_row(group.rows, entry.name, Question::by_kind)->by_kind.best = true;
+    if (!group.has_fault_types()) continue;
+    best_row(group.rows, entry.name, Question::by_type)->by_type.best = true;
   }
 }
 
@@ -95,7 +96,8 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
   if (group.own() == nullptr) return differences;
   for (const GroupRow* const other : group.others()) {
     auto pair = paired_row(group.own()->mean.row, other->mean.row);
-    pair.value().method = other == group.bar() ? bar_label(other->mean.row) : other->method;
+    pair.value().method =
+        other == group.reference_row() ? reference_label(other->mean.row) : other->method;
     differences.push_back(std::move(*pair));
   }
   add_holm_p(differences);
@@ -114,8 +116,8 @@ std::vector<InputChoice> parse_inputs(const std::string& option,
     if (std::ranges::count(choices, choice.method, &InputChoice::method) > 0) {
       throw Error(Exit::usage, option + ": names an input of " + choice.method + " twice");
     }
-    const bool is_asked = std::ranges::count(methods, choice.method) > 0;
-    if (is_asked && std::ranges::count(classifiers, choice.classifier) == 0) {
+    const bool is_requested = std::ranges::count(methods, choice.method) > 0;
+    if (is_requested && std::ranges::count(classifiers, choice.classifier) == 0) {
       throw Error(Exit::usage, "--classifiers: must have " + choice.classifier + ", which " +
                                    option + " names for " + choice.method);
     }
@@ -132,8 +134,8 @@ void require_same_methods(const GroupChoices& choices) {
     for (const InputChoice& input : inputs) methods.insert(input.method);
     return methods;
   };
-  if (choices.kind_inputs.empty()) return;
-  if (methods_of(choices.kind_inputs) == methods_of(choices.inputs)) return;
+  if (choices.type_inputs.empty()) return;
+  if (methods_of(choices.type_inputs) == methods_of(choices.inputs)) return;
   throw Error(Exit::usage,
               "--kind-inputs: must name an input of each method that --inputs names "
               "one of, and of no other");
@@ -159,17 +161,17 @@ run::Results collect_diagnoses(const run::Layout& layout, const run::Grid& grid)
 
 /// Returns the results with accuracies by fault type instead of by class. Empty if the dataset does
 /// not have fault types.
-std::optional<run::Results> by_kind(run::Results results) {
+std::optional<run::Results> by_type(run::Results results) {
   for (run::Diagnosis& cell : results.diagnoses) {
-    if (!cell.kind_accuracy) return std::nullopt;
-    cell.accuracy = *cell.kind_accuracy;
+    if (!cell.type_accuracy) return std::nullopt;
+    cell.accuracy = *cell.type_accuracy;
   }
   return results;
 }
 
 DatasetRows dataset_rows(const run::Grid& grid, const run::Results& results) {
   DatasetRows rows{grid.dataset, accuracy_rows(grid, results, Published())};
-  if (const auto kinds = by_kind(results)) rows.kinds = accuracy_rows(grid, *kinds, Published());
+  if (const auto types = by_type(results)) rows.types = accuracy_rows(grid, *types, Published());
   return rows;
 }
 
@@ -216,11 +218,11 @@ InputChoice parse_input_choice(const std::string& word) {
 }
 
 const std::vector<InputChoice>& GroupChoices::inputs_for(Question question) const {
-  return question == Question::by_kind && !kind_inputs.empty() ? kind_inputs : inputs;
+  return question == Question::by_type && !type_inputs.empty() ? type_inputs : inputs;
 }
 
 const AccuracyRow& answers(const GroupCell& cell, Question question) {
-  return question == Question::by_class ? cell.row : cell.kind.value();
+  return question == Question::by_class ? cell.row : cell.type_accuracy.value();
 }
 
 std::vector<const GroupRow*> TransferGroup::recorded(Question question) const {
@@ -231,8 +233,9 @@ std::vector<const GroupRow*> TransferGroup::recorded(Question question) const {
   return own;
 }
 
-bool TransferGroup::tells_kinds() const {
-  return std::ranges::all_of(rows, [](const GroupRow& row) { return row.mean.kind.has_value(); });
+bool TransferGroup::has_fault_types() const {
+  return std::ranges::all_of(
+      rows, [](const GroupRow& row) { return row.mean.type_accuracy.has_value(); });
 }
 
 const GroupRow* TransferGroup::own() const {
@@ -244,13 +247,13 @@ const GroupRow* TransferGroup::own() const {
 std::vector<const GroupRow*> TransferGroup::others() const {
   std::vector<const GroupRow*> others = recorded();
   std::erase(others, own());
-  if (bar() != nullptr) others.push_back(bar());
+  if (reference_row() != nullptr) others.push_back(reference_row());
   return others;
 }
 
-const GroupRow* TransferGroup::bar() const {
+const GroupRow* TransferGroup::reference_row() const {
   const auto found = std::ranges::find_if(rows, [](const GroupRow& row) {
-    return row.method == augment::no_method && row.classifier == diagnosis::bar_classifier;
+    return row.method == augment::no_method && row.classifier == diagnosis::reference_classifier;
   });
   return found == rows.end() ? nullptr : &*found;
 }
@@ -264,7 +267,7 @@ const GroupRow* TransferGroup::best_of(const std::string& method, Question quest
 AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows) {
   AccuracyRow mean = rows.front();
   mean.dataset = mean_over_datasets;
-  mean.kind.reset();
+  mean.type_accuracy.reset();
   mean.speed_ratio.reset();
   std::ranges::fill(mean.values, 0);
   for (const AccuracyRow& row : rows) {
@@ -307,7 +310,7 @@ void bind(const cli::Options& command, TransferOptions& options) {
            "Which classifier each method is shown with, such as: none=wdcnn-spectrum; a method "
            "without one stands in the table by input alone")
       .required();
-  command.add("--kind-inputs", options.kind_inputs,
+  command.add("--kind-inputs", options.type_inputs,
               "The same for telling the kind of defect, whatever its size; without: as --inputs");
   command.add("--methods", options.methods, "Methods, such as: none smote").required();
   command
@@ -326,17 +329,17 @@ TransferGroup read_transfer(const std::filesystem::path& run, const TransferOpti
       .group = options.group,
       .against = options.against,
       .inputs = parse_inputs("--inputs", options.inputs, options),
-      .kind_inputs = parse_inputs("--kind-inputs", options.kind_inputs, options)};
+      .type_inputs = parse_inputs("--kind-inputs", options.type_inputs, options)};
   require_same_methods(choices);
-  run::GridOptions asked{.methods = run::split_list("--methods", options.methods),
-                         .ratios = ratios_with(options.ratio),
-                         .seeds = options.seeds,
-                         .classifiers = options.classifiers};
+  run::GridOptions requested{.methods = run::split_list("--methods", options.methods),
+                             .ratios = ratios_with(options.ratio),
+                             .seeds = options.seeds,
+                             .classifiers = options.classifiers};
   std::vector<run::Grid> grids;
   std::vector<run::Results> results;
   for (const std::string& dataset : run::split_list("--datasets", options.datasets)) {
-    asked.dataset = dataset;
-    grids.push_back(run::resolve(asked));
+    requested.dataset = dataset;
+    grids.push_back(run::resolve(requested));
     results.push_back(collect_diagnoses(run::Layout(run, dataset), grids.back()));
   }
   require_all_of(results);

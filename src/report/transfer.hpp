@@ -31,7 +31,7 @@ inline const std::string mean_over_datasets = "mean";
 struct GroupCell {
   AccuracyRow row;
   /// The same by fault type; set if all its datasets have fault types.
-  std::optional<AccuracyRow> kind;
+  std::optional<AccuracyRow> type_accuracy;
 };
 
 /// Marks of an input in the row of its method.
@@ -41,7 +41,7 @@ struct Marks {
 };
 
 /// Question about a window: its class, or its fault type whatever the size.
-enum class Question { by_class, by_kind };
+enum class Question { by_class, by_type };
 
 /// One method by one classifier, on the datasets of a group.
 struct GroupRow {
@@ -50,10 +50,10 @@ struct GroupRow {
   std::vector<GroupCell> datasets;  ///< in the order of the group
   GroupCell mean;                   ///< for each seed the mean over the datasets
   Marks by_class = {};              ///< as an input for classes
-  Marks by_kind = {};               ///< as an input for fault types
+  Marks by_type = {};               ///< as an input for fault types
 
   [[nodiscard]] const Marks& marks(Question question) const {
-    return question == Question::by_class ? by_class : by_kind;
+    return question == Question::by_class ? by_class : by_type;
   }
 };
 
@@ -66,7 +66,7 @@ struct GroupChoices {
   std::string against;                   ///< method that all others are subtracted from
   std::vector<InputChoice> inputs = {};  ///< at most one for each method
   /// The same for fault types; empty if the inputs for classes are used.
-  std::vector<InputChoice> kind_inputs = {};
+  std::vector<InputChoice> type_inputs = {};
 
   [[nodiscard]] const std::vector<InputChoice>& inputs_for(Question question) const;
 };
@@ -85,13 +85,13 @@ struct TransferGroup {
   /// Returns the rows by the recorded inputs: one for each method that has such an input.
   [[nodiscard]] std::vector<const GroupRow*> recorded(Question question = Question::by_class) const;
   /// True if every row has accuracies by fault type.
-  [[nodiscard]] bool tells_kinds() const;
+  [[nodiscard]] bool has_fault_types() const;
   /// Returns the recorded row of `against`; null if there is none.
   [[nodiscard]] const GroupRow* own() const;
-  /// Returns the recorded rows of all other methods, and bar().
+  /// Returns the recorded rows of all other methods, and reference_row().
   [[nodiscard]] std::vector<const GroupRow*> others() const;
   /// Returns `none` by the reference classifier; null if missing.
-  [[nodiscard]] const GroupRow* bar() const;
+  [[nodiscard]] const GroupRow* reference_row() const;
   /// Returns the best input of a method in this run; null if no trained classifier has a row.
   [[nodiscard]] const GroupRow* best_of(const std::string& method,
                                         Question question = Question::by_class) const;
@@ -107,7 +107,7 @@ struct DatasetRows {
   std::string dataset;
   std::vector<AccuracyRow> rows;
   /// The same by fault type; empty if the dataset does not have fault types.
-  std::vector<AccuracyRow> kinds = {};
+  std::vector<AccuracyRow> types = {};
 };
 
 /// Combines datasets that have the same methods and classifiers. Throws as mean_of_datasets() does.
@@ -120,7 +120,7 @@ struct TransferOptions {
   std::vector<std::string> datasets = {};
   std::string against = {};
   std::vector<std::string> inputs = {};       ///< "none=wdcnn-spectrum", see parse_input_choice()
-  std::vector<std::string> kind_inputs = {};  ///< the same for fault types; may be empty
+  std::vector<std::string> type_inputs = {};  ///< the same for fault types; may be empty
   std::vector<std::string> methods = {};
   std::string ratio = {};  ///< of the generated windows; `none` uses 100to1
   std::vector<std::string> classifiers = {};

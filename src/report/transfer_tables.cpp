@@ -26,13 +26,13 @@ constexpr const char* mark_of_best = "↑";
 /// Returns the rows of the main tables: methods by their recorded inputs, and the reference.
 std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question question) {
   std::vector<const GroupRow*> rows = group.recorded(question);
-  if (group.bar() != nullptr) rows.push_back(group.bar());
+  if (group.reference_row() != nullptr) rows.push_back(group.reference_row());
   return rows;
 }
 
 /// Returns "smote" and "wdcnn-spectra". The reference has the same name as in other tables.
 Cells shown_names(const TransferGroup& group, const GroupRow& row) {
-  if (&row == group.bar()) return {bar_label(row.mean.row), no_number};
+  if (&row == group.reference_row()) return {reference_label(row.mean.row), no_number};
   return {method_label(row.method), row.classifier};
 }
 
@@ -52,7 +52,7 @@ std::string about_mean(const TransferGroup& group, Question question) {
   return std::string(
              "A fault that is taken for another of the same kind of defect, such as one of "
              "another size, counts as right. Shown: ") +
-         (group.choices.kind_inputs.empty() ? "as above."
+         (group.choices.type_inputs.empty() ? "as above."
                                             : "as above, but chosen for telling kinds.");
 }
 
@@ -145,7 +145,7 @@ std::string best_inputs(const TransferGroup& group, Question question) {
 
 std::string about_inputs(const TransferGroup& group, Question question) {
   const std::string best = "The best here are: " + best_inputs(group, question);
-  if (question == Question::by_kind) return "As above. " + best;
+  if (question == Question::by_type) return "As above. " + best;
   return fmt::format(
       "{} is the input that was chosen on other seeds, and that all other tables show; {} the best "
       "of WDCNN's in this very run: what to record where these seeds are for choosing, and no "
@@ -211,7 +211,7 @@ void add_sections(const TransferGroup& group, Question question, Document& docum
 std::string role_of(const TransferGroup& group, const GroupRow& row) {
   if (row.method == group.choices.against) return "against";
   if (augment::is_ceiling(row.method)) return "ceiling";
-  return &row == group.bar() ? "bar" : "method";
+  return &row == group.reference_row() ? "bar" : "method";
 }
 
 std::string yes_or_no(bool yes) { return yes ? "1" : "0"; }
@@ -230,8 +230,8 @@ struct TransferLine {
     return summary;
   }
   [[nodiscard]] scoring::Summary accuracy() const { return summary_of(cell->row); }
-  [[nodiscard]] std::optional<scoring::Summary> kind() const {
-    return cell->kind ? std::optional(summary_of(*cell->kind)) : std::nullopt;
+  [[nodiscard]] std::optional<scoring::Summary> type_accuracy() const {
+    return cell->type_accuracy ? std::optional(summary_of(*cell->type_accuracy)) : std::nullopt;
   }
 };
 
@@ -268,9 +268,9 @@ std::string transfer_csv(const TransferGroup& group) {
                return line.seed ? std::to_string(line.cell->row.seeds[*line.seed]) : "mean";
              })
       .summary_fields("accuracy", "", &Line::accuracy)
-      .summary_fields("kind", "kind_", &Line::kind)
-      .field("kind_recorded", [](const Line& line) { return yes_or_no(line.of->by_kind.recorded); })
-      .field("kind_best", [](const Line& line) { return yes_or_no(line.of->by_kind.best); });
+      .summary_fields("kind", "kind_", &Line::type_accuracy)
+      .field("kind_recorded", [](const Line& line) { return yes_or_no(line.of->by_type.recorded); })
+      .field("kind_best", [](const Line& line) { return yes_or_no(line.of->by_type.best); });
   return columns.table(lines).csv();
 }
 
@@ -306,7 +306,7 @@ Document transfer_document(const TransferGroup& group) {
                                   " is not among these methods, so nothing is subtracted from it.");
   }
   add_sections(group, Question::by_class, document);
-  if (group.tells_kinds()) add_sections(group, Question::by_kind, document);
+  if (group.has_fault_types()) add_sections(group, Question::by_type, document);
   return document;
 }
 

@@ -23,7 +23,7 @@ struct TrustRow {
   scoring::Summary temperature;
   /// Numbers for a class left out of training, as means over the classes: how well its windows are
   /// separated from the others, in [0, 1], and the share called unknown, in percent. Empty if the
-  /// classifier does not measure novelty (KeptClassifier::strangeness()).
+  /// classifier does not measure novelty (KeptClassifier::novelty()).
   std::optional<scoring::Summary> auroc = {};
   std::optional<scoring::Summary> untrained_called_unknown = {};
   /// The area of each class, by its name.

@@ -17,8 +17,8 @@ namespace piae::report {
 
 namespace {
 
-std::string kind_label(const std::string& name, const AccuracyRow& row) {
-  return fmt::format("{} {:.1f} ({})", name, row.kind->mean, short_ratio_label(row.ratio));
+std::string type_label(const std::string& name, const AccuracyRow& row) {
+  return fmt::format("{} {:.1f} ({})", name, row.type_accuracy->mean, short_ratio_label(row.ratio));
 }
 
 bool is_rule(const AccuracyRow& row) { return row.method == augment::no_method; }
@@ -73,7 +73,7 @@ std::string of_few_seeds(std::vector<AccuracyRow> gains, const AccuracyRow& base
       seeds == 1 ? "This is of one seed" : "These are of two seeds");
 }
 
-std::string who_helps(std::vector<AccuracyRow> gains, const AccuracyRow& baseline) {
+std::string effects_of_methods(std::vector<AccuracyRow> gains, const AccuracyRow& baseline) {
   std::array<std::vector<AccuracyRow>, 3> by_effect;
   std::string ceiling;
   std::ranges::stable_sort(gains, std::ranges::greater(),
@@ -150,11 +150,12 @@ std::string why_it_falls_short(const run::Results& results, const std::vector<Ac
       beginning, measured);
 }
 
-std::string without_any_of_this(const AccuracyRow& bar) {
+std::string without_any_of_this(const AccuracyRow& reference_row) {
   return fmt::format(
       "The classifier {}, {}, is right in {:.1f} % of the test windows with the known windows "
       "alone.",
-      bar.classifier, diagnosis::the_classifier(bar.classifier).what, bar.summary.mean);
+      reference_row.classifier, diagnosis::the_classifier(reference_row.classifier).what,
+      reference_row.summary.mean);
 }
 
 }  // namespace
@@ -168,16 +169,17 @@ std::string conditions_note(const run::Results& results) {
                      listed(any.tested_at));
 }
 
-std::string kinds_sentence(const ClassifierRows& block) {
-  if (!tell_kinds(block.rows)) return "";
+std::string types_sentence(const ClassifierRows& block) {
+  if (!have_fault_types(block.rows)) return "";
   std::string text;
   const auto add = [&](const std::string& label) { text += (text.empty() ? "" : ", ") + label; };
   for (const std::string& method : methods_of(block.rows)) {
     const std::vector<AccuracyRow> own = rows_of(block.rows, method);
-    add(kind_label(method_label(method),
+    add(type_label(method_label(method),
                    *std::ranges::max_element(own, {}, &AccuracyRow::generated_per_class)));
   }
-  if (block.bar) add(kind_label(bar_label(*block.bar), *block.bar));
+  if (block.reference_row)
+    add(type_label(reference_label(*block.reference_row), *block.reference_row));
   return "By kind of defect: " + text + ".";
 }
 
@@ -213,10 +215,10 @@ std::vector<std::string> verdict(const run::Results& results,
   if (!any_known) return {most_accurate_without_known(rows)};
   if (gains.empty()) return {};
   std::vector<std::string> sentences{
-      who_helps(gains, *find_row(shown.rows, augment::no_method, ""))};
+      effects_of_methods(gains, *find_row(shown.rows, augment::no_method, ""))};
   std::string reason = why_it_falls_short(results, gains);
   if (!reason.empty()) sentences.push_back(std::move(reason));
-  if (shown.bar) sentences.push_back(without_any_of_this(*shown.bar));
+  if (shown.reference_row) sentences.push_back(without_any_of_this(*shown.reference_row));
   return sentences;
 }
 

@@ -15,7 +15,7 @@ std::string conditions_note(const run::Results& results);
 /// Returns "By kind of defect: none 62.5 (100:1), vae 80.0 (2:1).", the mean accuracy of each
 /// method at its ratio with the most generated windows. Returns "" for datasets without fault
 /// types.
-std::string kinds_sentence(const ClassifierRows& block);
+std::string types_sentence(const ClassifierRows& block);
 
 /// Returns the most accurate method, rule and ceiling of a run without known fault windows, which
 /// has no baseline for gains: "Right in most test windows: with generated windows vae by nearest

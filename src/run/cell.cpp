@@ -3,21 +3,21 @@
 #include <set>
 
 #include "scoring/diagnosis_record.hpp"
-#include "scoring/kind_accuracy.hpp"
+#include "scoring/type_accuracy.hpp"
 
 namespace piae::run {
 
 namespace {
 
-bool tells_kinds(const signal::DatasetInfo& info) {
-  std::set<signal::Defect> kinds;
-  for (const signal::ClassInfo& each : info.classes) kinds.insert(each.defect);
-  return !info.conditions.empty() && kinds.size() < info.classes.size();
+bool has_fault_types(const signal::DatasetInfo& info) {
+  std::set<signal::Defect> fault_types;
+  for (const signal::ClassInfo& each : info.classes) fault_types.insert(each.defect);
+  return !info.conditions.empty() && fault_types.size() < info.classes.size();
 }
 
-std::optional<double> kind_accuracy_of(const scoring::DiagnosisRecord& record) {
-  if (!tells_kinds(record.info)) return std::nullopt;
-  return scoring::kind_accuracy(record.confusion(), record.info.classes);
+std::optional<double> type_accuracy_of(const scoring::DiagnosisRecord& record) {
+  if (!has_fault_types(record.info)) return std::nullopt;
+  return scoring::type_accuracy(record.confusion(), record.info.classes);
 }
 
 std::optional<double> speed_ratio_of(const signal::DatasetInfo& info) {
@@ -69,7 +69,7 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
           .any_known = record.any_known,
           .protocol = record.protocol,
           .accuracy = record.accuracy(),
-          .kind_accuracy = kind_accuracy_of(record),
+          .type_accuracy = type_accuracy_of(record),
           .speed_ratio = speed_ratio_of(record.info),
           .known_at = names_of(record.info, &signal::Condition::known),
           .tested_at = names_of(record.info, &signal::Condition::test),

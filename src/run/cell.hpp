@@ -29,9 +29,9 @@ struct Diagnosis {
   bool any_known = true;  ///< true if fault windows were known
   signal::Protocol protocol = signal::Protocol::random;
   double accuracy = 0;  ///< in [0, 1]
-  /// In [0, 1] (scoring/kind_accuracy.hpp). Set only if conditions are told apart and several
+  /// In [0, 1] (scoring/type_accuracy.hpp). Set only if conditions are told apart and several
   /// classes share a fault type.
-  std::optional<double> kind_accuracy = std::nullopt;
+  std::optional<double> type_accuracy = std::nullopt;
   /// Tested speed divided by known speed, if the tested faults are known in other conditions only
   /// (signal::is_transfer); 1 if the conditions differ in something else.
   std::optional<double> speed_ratio = std::nullopt;

@@ -173,7 +173,8 @@ Grid resolve(const GridOptions& options) {
     add_cells(methods, ratios, classifier, nothing_known, grid);
   }
   if (!options.classifiers.empty()) {
-    add_cells(without_generating(methods), ratios, diagnosis::bar_classifier, nothing_known, grid);
+    add_cells(without_generating(methods), ratios, diagnosis::reference_classifier, nothing_known,
+              grid);
   }
   if (grid.combinations.empty()) refuse_nothing(nothing_known);
   return grid;

@@ -35,7 +35,7 @@ class Held {
   /// other seeds whose file has() accepts. Seeds whose file leaves_out() reports are excluded.
   /// `file_of` returns the path for a seed.
   [[nodiscard]] std::vector<std::int64_t> seeds_with(
-      const std::vector<std::int64_t>& asked,
+      const std::vector<std::int64_t>& requested,
       const std::function<std::filesystem::path(std::int64_t)>& file_of) const;
 
  private:
@@ -50,7 +50,7 @@ void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave
 
 /// Returns all methods, ratios and seeds with an existing or requested cell. Some combinations may
 /// lack some seeds. Classifiers and methods are in the order of their catalogues. Reads no cell.
-Grid held_grid(const Layout& layout, const Grid& asked, const Held& held);
+Grid held_grid(const Layout& layout, const Grid& requested, const Held& held);
 
 /// Cells and their grid.
 struct Collected {
@@ -63,22 +63,22 @@ struct Collected {
 /// Results::left_out names the excluded ones. Classifiers and methods are in the order of their
 /// catalogues, so the tables of the same cells are equal for every request. Diagnoses have
 /// decisions if the folder holds the test windows (A) of their seed.
-Collected collect_held(const Layout& layout, const Grid& asked, const Held& held,
+Collected collect_held(const Layout& layout, const Grid& requested, const Held& held,
                        const SeenCell& seen = {});
 
 /// Classifiers whose cells are added to the requested ones.
 enum class Classifiers { papers, all };
 
 /// Reads the diagnoses without the scores.
-Collected collect_held_diagnoses(const Layout& layout, const Grid& asked, const Held& held,
+Collected collect_held_diagnoses(const Layout& layout, const Grid& requested, const Held& held,
                                  Classifiers which = Classifiers::all);
 
 /// Reads the scores only.
-Results collect_held_scores(const Layout& layout, const Grid& asked, const Held& held);
+Results collect_held_scores(const Layout& layout, const Grid& requested, const Held& held);
 
 /// Returns the models that infer stiffness and damping: requested ones, existing or not, and all
 /// others that the folder holds together with the windows D of their seed. Sorted by method, then
 /// seed; the ratio is empty.
-std::vector<CellName> held_models(const Layout& layout, const Grid& asked, const Held& held);
+std::vector<CellName> held_models(const Layout& layout, const Grid& requested, const Held& held);
 
 }  // namespace piae::run

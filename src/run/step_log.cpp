@@ -66,10 +66,10 @@ void read_line_of(const std::string& program, const std::string& line, StepLog& 
 }
 
 void read_line(const std::string& line, const std::string& program, StepLog& log) {
-  if (const auto begun = number_between(line, "step: begun at ", "")) log.begun_s = begun;
+  if (const auto started = number_between(line, "step: begun at ", "")) log.started_s = started;
   // Waiting in a queue does not count as run time.
-  if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.begun_s) {
-    *log.begun_s += *waited;
+  if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.started_s) {
+    *log.started_s += *waited;
   }
   if (const auto processor = number_between(line, "step: used ", " s ")) {
     log.processor_s = processor;
@@ -109,11 +109,12 @@ std::vector<StepLog> read_step_logs(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file() || entry.path().extension() != ".log") continue;
     StepLog log = read_step_log(entry.path());
-    if (!log.begun_s) continue;
+    if (!log.started_s) continue;
     log.file = entry.path().lexically_relative(folder);
     logs.push_back(std::move(log));
   }
-  std::ranges::sort(logs, {}, [](const StepLog& log) { return std::tie(*log.begun_s, log.file); });
+  std::ranges::sort(logs, {},
+                    [](const StepLog& log) { return std::tie(*log.started_s, log.file); });
   return logs;
 }
 

@@ -20,8 +20,8 @@ struct StepLog {
   std::filesystem::path file = {};
   std::string stage = {};  ///< "train"
   StepEnd end = StepEnd::open;
-  std::optional<double> begun_s = {};  ///< seconds since 1970
-  double elapsed_s = 0;                ///< 0 until it ends
+  std::optional<double> started_s = {};  ///< seconds since 1970
+  double elapsed_s = 0;                  ///< 0 until it ends
   bool went_on = false;  ///< continued from a checkpoint: earlier time is not in the log
   std::optional<double> processor_s = {};  ///< of all threads; missing in logs of older runs
   std::optional<double> memory_mb = {};    ///< peak, in 10^6 bytes

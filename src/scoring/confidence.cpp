@@ -21,7 +21,7 @@ std::vector<Judgement> judgements_of(const DiagnosisRecord& record) {
   return judgements_of(record.scores, record.predictions, record.labels);
 }
 
-bool tells(std::span<const Judgement> judgements) {
+bool ranks_answers(std::span<const Judgement> judgements) {
   return std::ranges::any_of(
       judgements, [&](const Judgement& each) { return each.score != judgements.front().score; });
 }
@@ -31,7 +31,7 @@ Confidence confidence_of(const DiagnosisRecord& record) {
   return {
       .calibration_error = expected_calibration_error(reliability(judgements, reliability_bins)),
       .answerable = answerable_share(judgements, wanted_precision_percent),
-      .tells = tells(judgements)};
+      .ranks_answers = ranks_answers(judgements)};
 }
 
 }  // namespace piae::scoring

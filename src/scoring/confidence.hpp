@@ -18,7 +18,7 @@ inline constexpr std::size_t reliability_bins = 10;
 struct Confidence {
   double calibration_error = 0;  ///< in [0, 1]: expected_calibration_error()
   double answerable = 0;         ///< in [0, 1]: answerable_share() at wanted_precision_percent
-  bool tells = false;            ///< see tells()
+  bool ranks_answers = false;    ///< see ranks_answers()
 };
 
 /// Returns the largest score of each window, row-major [n, classes], and whether its predicted
@@ -30,7 +30,7 @@ std::vector<Judgement> judgements_of(const DiagnosisRecord& record);
 
 /// True if a classifier is more certain of some windows than of others. Otherwise, for example if
 /// it gives only a class, all windows get a prediction or none does.
-bool tells(std::span<const Judgement> judgements);
+bool ranks_answers(std::span<const Judgement> judgements);
 
 /// Throws std::logic_error for a diagnosis without windows.
 Confidence confidence_of(const DiagnosisRecord& record);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/waveform.hpp"
 #include "spectra/lines.hpp"
@@ -94,7 +94,7 @@ double line_db_of(const signal::WindowSet& set, Label label, const Windows& wind
   double sum = 0;
   for (const auto& [speed_rpm, rows] : by_speed) {
     const double line_hz =
-        bearing::strike_frequency_hz(info.bearing, info.class_of(label).defect, speed_rpm);
+        bearing::impact_frequency_hz(info.bearing, info.class_of(label).defect, speed_rpm);
     const spectra::EnvelopeSpectrum spectrum =
         spectra::envelope_spectrum(windows(rows, Eigen::all), info.sample_rate_hz);
     const double part = static_cast<double>(rows.size()) / static_cast<double>(windows.rows());
@@ -135,7 +135,7 @@ ClassQuality quality_of(const signal::WindowSet& generated, const signal::Window
 }  // namespace
 
 bool has_line(const signal::DatasetInfo& info, Label label) {
-  return bearing::is_struck(info.class_of(label).defect);
+  return bearing::causes_impacts(info.class_of(label).defect);
 }
 
 std::span<const Metric> all_metrics() { return metrics; }

@@ -120,7 +120,7 @@ std::vector<Group> groups(const toml::table& protocol) {
     groups.push_back({.name = std::string(key.str()),
                       .datasets = words_in(table, "datasets"),
                       .inputs = words_in(table, "inputs"),
-                      .kind_inputs = words_in(table, "kind-inputs")});
+                      .type_inputs = words_in(table, "kind-inputs")});
   }
   return groups;
 }

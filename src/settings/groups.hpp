@@ -13,7 +13,7 @@ struct Group {
   std::string name;                   ///< "speeds"
   std::vector<std::string> datasets;  ///< some may lack a description, see require_datasets()
   std::vector<std::string> inputs;    ///< "none=wdcnn-spectrum" (report/transfer.hpp)
-  std::vector<std::string> kind_inputs = {};  ///< the same for telling fault types; may be empty
+  std::vector<std::string> type_inputs = {};  ///< the same for telling fault types; may be empty
 };
 std::vector<Group> groups(const toml::table& protocol);
 

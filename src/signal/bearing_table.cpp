@@ -62,16 +62,16 @@ std::string joined_words(std::span<const std::string> words) {
 
 /// True if the text has at least two digits. A maker or a suffix, such as SKF, C3 or 2RS, has fewer
 /// and does not name a bearing.
-bool has_number(const std::string& asked) {
+bool has_number(const std::string& written) {
   const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
-  return std::ranges::count_if(asked, is_digit) >= 2;
+  return std::ranges::count_if(written, is_digit) >= 2;
 }
 
 /// True if consecutive words of the row, joined, equal the requested designation.
-bool holds_words(const Words& row, const std::string& asked) {
+bool holds_words(const Words& row, const std::string& written) {
   for (std::size_t first = 0; first < row.size(); ++first) {
     for (std::size_t count = 1; first + count <= row.size(); ++count) {
-      if (joined_words(std::span(row).subspan(first, count)) == asked) return true;
+      if (joined_words(std::span(row).subspan(first, count)) == written) return true;
     }
   }
   return false;
@@ -133,23 +133,23 @@ std::string designations_of(const std::vector<Row>& rows) {
 
 /// Returns the rows whose whole designation matches. Without such a row, returns those that contain
 /// its words.
-std::vector<Row> rows_called(const std::string& asked, const std::vector<Row>& rows) {
+std::vector<Row> rows_called(const std::string& written, const std::vector<Row>& rows) {
   std::vector<Row> whole;
   std::vector<Row> part;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
-    if (joined_words(words) == asked) whole.push_back(row);
-    if (has_number(asked) && holds_words(words, asked)) part.push_back(row);
+    if (joined_words(words) == written) whole.push_back(row);
+    if (has_number(written) && holds_words(words, written)) part.push_back(row);
   }
   return whole.empty() ? part : whole;
 }
 
 /// Returns the rows that share a word with the request, as a hint.
-std::vector<Row> rows_like(const Words& asked, const std::vector<Row>& rows) {
+std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
   std::vector<Row> like;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
-    if (std::ranges::find_first_of(words, asked) != words.end()) like.push_back(row);
+    if (std::ranges::find_first_of(words, written) != words.end()) like.push_back(row);
   }
   return like;
 }

@@ -15,25 +15,25 @@ constexpr std::size_t longest_blend = 64;
 
 }  // namespace
 
-std::size_t Cycle::offset_of_strike(std::size_t j) const {
+std::size_t Cycle::offset_of_impact(std::size_t j) const {
   return static_cast<std::size_t>(
-      std::lround(static_cast<double>(j * samples) / static_cast<double>(strikes)));
+      std::lround(static_cast<double>(j * samples) / static_cast<double>(impacts)));
 }
 
 double Cycle::angle_rad(std::size_t sample) const {
-  const double turns = static_cast<double>(sample * strikes) / static_cast<double>(samples);
+  const double turns = static_cast<double>(sample * impacts) / static_cast<double>(samples);
   return 2 * std::numbers::pi * (turns - std::floor(turns));
 }
 
-double Cycle::period() const { return static_cast<double>(samples) / static_cast<double>(strikes); }
+double Cycle::period() const { return static_cast<double>(samples) / static_cast<double>(impacts); }
 
 std::optional<Cycle> cycle_of(double period, std::size_t length) {
   const double usable = static_cast<double>(length) * (1 - least_blend);
-  const double strikes = std::floor(usable / period);
-  if (strikes < 1) return std::nullopt;
+  const double impacts = std::floor(usable / period);
+  if (impacts < 1) return std::nullopt;
   Cycle cycle;
-  cycle.strikes = static_cast<std::size_t>(strikes);
-  cycle.samples = static_cast<std::size_t>(std::lround(strikes * period));
+  cycle.impacts = static_cast<std::size_t>(impacts);
+  cycle.samples = static_cast<std::size_t>(std::lround(impacts * period));
   cycle.blend = std::min({length - cycle.samples, cycle.samples, longest_blend});
   return cycle;
 }

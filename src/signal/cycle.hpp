@@ -12,11 +12,11 @@ namespace piae::signal {
 /// per sample. L is rounded to whole samples; at 1024 samples the error is 0.05 %, far below slip.
 struct Cycle {
   std::size_t samples = 0;  ///< L
-  std::size_t strikes = 0;  ///< m, the impacts in L samples
+  std::size_t impacts = 0;  ///< m, the impacts in L samples
   std::size_t blend = 0;    ///< samples that blend the end into the start
 
   /// Returns the samples from an impact to the j-th after it, rounded.
-  [[nodiscard]] std::size_t offset_of_strike(std::size_t j) const;
+  [[nodiscard]] std::size_t offset_of_impact(std::size_t j) const;
   /// Returns the impact angle of a sample of the cycle, in [0, 2 pi).
   [[nodiscard]] double angle_rad(std::size_t sample) const;
   /// Returns the samples between two impacts.

@@ -84,10 +84,10 @@ void refuse_impossible(const artefact::Reader& reader, const DatasetInfo& info) 
     (void)info.healthy_label();
     if (info.has_bearing) bearing::validate(info.bearing);
     for (const ClassInfo& c : info.classes) {
-      if (bearing::is_struck(c.defect) && !info.has_bearing) {
+      if (bearing::causes_impacts(c.defect) && !info.has_bearing) {
         throw Error(Exit::bad_input, "class " + c.name + " is of a bearing that is not described");
       }
-      const bool is_of_unknown_size = bearing::is_struck(c.defect) && c.defect_size_mm == 0;
+      const bool is_of_unknown_size = bearing::causes_impacts(c.defect) && c.defect_size_mm == 0;
       if (!is_of_unknown_size) bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
     }
   } catch (const Error& error) {

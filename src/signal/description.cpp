@@ -108,7 +108,7 @@ void refuse_size_without_dimensions(const TomlTable& root, const TomlTable& tabl
 /// Reads the defect size of a class or of one of its records.
 std::optional<double> read_size(TomlTable& table, Defect defect) {
   const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
-  if (size && !bearing::is_struck(defect)) {
+  if (size && !bearing::causes_impacts(defect)) {
     table.refuse("defect_size_mm",
                  "makes no sense where the defect is '" + to_string(defect) + "'");
   }
@@ -298,15 +298,15 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
   }
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const ClassInfo& c = info.classes[i];
-    const bool is_struck = bearing::is_struck(c.defect);
-    if (is_struck && !info.has_bearing) {
+    const bool causes_impacts = bearing::causes_impacts(c.defect);
+    if (causes_impacts && !info.has_bearing) {
       root.refuse("bearing",
                   "is missing: it decides the rhythm of class " + c.name +
                       "; a fault that is in no raceway and no ball has defect = \"other\"");
     }
     refuse_size_without_dimensions(root, classes[i]);
     const bool is_of_unknown_size =
-        is_struck && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm");
+        causes_impacts && c.defect_size_mm == 0 && !classes[i].has("defect_size_mm");
     if (!is_of_unknown_size) require_possible_defect(info, c, c.defect_size_mm, classes[i]);
   }
 }

@@ -126,9 +126,9 @@ void Machine::run_on(std::size_t samples) {
       bearing::speeds(simulation_.info.bearing, now.shaft_speed_rpm, now.slip);
   const double time_s = static_cast<double>(samples) / simulation_.info.sample_rate_hz;
   motion_.cage_angle_rad = turned_by(motion_.cage_angle_rad, speeds.cage * time_s);
-  const double defect_speed = defect_.kind == Defect::inner    ? speeds.shaft
-                              : defect_.kind == Defect::roller ? speeds.spin
-                                                               : 0;
+  const double defect_speed = defect_.fault_type == Defect::inner    ? speeds.shaft
+                              : defect_.fault_type == Defect::roller ? speeds.spin
+                                                                     : 0;
   motion_.defect_angle_rad = turned_by(motion_.defect_angle_rad, defect_speed * time_s);
   const double innovation = std::sqrt(1 - correlation_ * correlation_);
   for (double& deviation : deviations_) {

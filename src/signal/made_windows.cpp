@@ -25,7 +25,7 @@ WindowSet make_windows(const DatasetInfo& info, std::size_t length, std::size_t 
       const MadeWindow window = make(label, i, random);
       windows.samples.insert(windows.samples.end(), window.samples.begin(), window.samples.end());
       windows.labels.push_back(label);
-      append(window.strikes_s, windows.strikes_s);
+      append(window.impact_times_s, windows.impact_times_s);
       append(window.parameters, windows.parameters);
       append(window.condition, windows.condition);
       append(window.shaft_speed_rpm, windows.shaft_speed_rpm);

@@ -15,7 +15,7 @@ namespace piae::signal {
 /// windows of a set must have the same data.
 struct MadeWindow {
   std::vector<float> samples;
-  std::optional<std::vector<double>> strikes_s = {};
+  std::optional<std::vector<double>> impact_times_s = {};
   std::optional<DynamicParameters> parameters = {};
   std::optional<std::int32_t> condition = {};
   std::optional<double> shaft_speed_rpm = {};

@@ -47,7 +47,7 @@ void note_differences(const RoleSet& one, const RoleSet& other,
 }
 
 /// Returns what is wrong with the conditions of a role's windows; empty if nothing is.
-std::string strange_condition(Role role, const WindowSet& windows) {
+std::string condition_objection(Role role, const WindowSet& windows) {
   for (const std::int32_t index : windows.condition) {
     if (index == every_condition) continue;
     const Condition& condition = windows.info.conditions[static_cast<std::size_t>(index)];
@@ -191,8 +191,8 @@ void require_belonging(const artefact::Reader& reader, Role role, const WindowSe
                                    to_string(role) + " must not have");
     }
   }
-  const std::string strange = strange_condition(role, windows);
-  if (!strange.empty()) reader.refuse("/condition", strange);
+  const std::string objection = condition_objection(role, windows);
+  if (!objection.empty()) reader.refuse("/condition", objection);
 }
 
 RoleSet read_role_set(const artefact::Reader& reader) {
@@ -215,8 +215,8 @@ std::vector<std::string> check_roles(const std::vector<RoleSet>& sets) {
   // Roles of different splits may share windows, so the checks below would mean nothing.
   if (!findings.empty() || sets.empty()) return findings;
   for (const RoleSet& set : sets) {
-    const std::string strange = strange_condition(set.role, set.windows);
-    if (!strange.empty()) findings.push_back(set.file + ": " + strange);
+    const std::string objection = condition_objection(set.role, set.windows);
+    if (!objection.empty()) findings.push_back(set.file + ": " + objection);
   }
   const auto length = static_cast<std::int64_t>(sets.front().windows.length);
   const Protocol protocol = sets.front().protocol;

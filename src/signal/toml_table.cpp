@@ -19,7 +19,7 @@ TomlTable::TomlTable(const std::filesystem::path& file)
       table_(&file_->root) {}
 
 const toml::node& TomlTable::node(const std::string& key) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   const toml::node* node = table_->get(key);
   if (node == nullptr) refuse(key, "is missing" + given_for(key));
   return *node;
@@ -28,7 +28,7 @@ const toml::node& TomlTable::node(const std::string& key) {
 std::string TomlTable::given_for(const std::string& missing) const {
   for (const auto& [key, node] : *table_) {
     const std::string given(key.str());
-    if (asked_.contains(given)) continue;
+    if (known_keys_.contains(given)) continue;
     const std::string meant = meant_key(given, {missing});
     if (!meant.empty()) return fmt::format("; {} stands there: {}", given, meant);
   }
@@ -48,7 +48,7 @@ std::string TomlTable::checked(const std::string& key, const std::string& text) 
 }
 
 std::string TomlTable::optional_text(const std::string& key) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   return has(key) ? text(key) : std::string();
 }
 
@@ -76,12 +76,12 @@ std::vector<std::string> TomlTable::text_or_texts(const std::string& key) {
 }
 
 std::vector<std::string> TomlTable::optional_texts(const std::string& key) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   return has(key) ? texts(key) : std::vector<std::string>{};
 }
 
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   return has(key) ? std::optional(number(key, range)) : std::nullopt;
 }
 
@@ -99,7 +99,7 @@ TomlTable TomlTable::table(const std::string& key) {
 }
 
 std::optional<TomlTable> TomlTable::optional_table(const std::string& key) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   return has(key) ? std::optional(table(key)) : std::nullopt;
 }
 
@@ -116,17 +116,17 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
 }
 
 std::vector<TomlTable> TomlTable::optional_tables(const std::string& key) {
-  asked_.insert(key);
+  known_keys_.insert(key);
   return has(key) ? tables(key) : std::vector<TomlTable>{};
 }
 
 void TomlTable::finish() const {
   for (const auto& [key, node] : *table_) {
     const std::string name(key.str());
-    if (asked_.contains(name)) continue;
-    const std::string meant = meant_key(name, asked_);
+    if (known_keys_.contains(name)) continue;
+    const std::string meant = meant_key(name, known_keys_);
     refuse(name, meant.empty()
-                     ? fmt::format("is unknown; known keys are {}", fmt::join(asked_, ", "))
+                     ? fmt::format("is unknown; known keys are {}", fmt::join(known_keys_, ", "))
                      : "is unknown; " + meant);
   }
 }

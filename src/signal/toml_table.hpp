@@ -68,8 +68,8 @@ class TomlTable {
 
   std::shared_ptr<const File> file_;
   const toml::table* table_;
-  std::string name_;             ///< "record"; empty for the whole file
-  std::set<std::string> asked_;  ///< keys requested so far
+  std::string name_;                  ///< "record"; empty for the whole file
+  std::set<std::string> known_keys_;  ///< keys requested so far
 };
 
 }  // namespace piae::signal

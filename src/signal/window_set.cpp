@@ -103,7 +103,7 @@ struct ListPaths {
   [[nodiscard]] std::string owners() const { return group + "/window"; }
 };
 
-const ListPaths strike_paths{.group = "/strikes", .values = "/strikes/time_s"};
+const ListPaths impact_time_paths{.group = "/strikes", .values = "/strikes/time_s"};
 const ListPaths parent_paths{.group = "/parents", .values = "/parents/known"};
 
 template <class T>
@@ -139,14 +139,14 @@ std::vector<std::vector<T>> read_lists(const artefact::Reader& reader, const Lis
   return lists;
 }
 
-void read_strikes(const artefact::Reader& reader, WindowSet& windows) {
-  windows.strikes_s = read_lists<double>(reader, strike_paths, windows.size());
+void read_impact_times(const artefact::Reader& reader, WindowSet& windows) {
+  windows.impact_times_s = read_lists<double>(reader, impact_time_paths, windows.size());
   const double end_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
-  for (const std::vector<double>& own : windows.strikes_s) {
+  for (const std::vector<double>& own : windows.impact_times_s) {
     double last_s = 0;
     for (const double time_s : own) {
       if (!(time_s >= last_s && time_s < end_s)) {
-        reader.refuse(strike_paths.values,
+        reader.refuse(impact_time_paths.values,
                       "holds a strike that does not follow the one before it "
                       "within its window");
       }
@@ -170,12 +170,12 @@ void read_parents(const artefact::Reader& reader, WindowSet& windows) {
 /// Appends entry i of another set's optional column. Clears the column if this entry or an earlier
 /// one is missing.
 template <class T>
-void append_said(std::vector<T>& said, const std::vector<T>& other, std::size_t i,
-                 std::size_t windows) {
-  if (!other.empty() && said.size() == windows) {
-    said.push_back(other[i]);
+void append_known(std::vector<T>& known_values, const std::vector<T>& other, std::size_t i,
+                  std::size_t windows) {
+  if (!other.empty() && known_values.size() == windows) {
+    known_values.push_back(other[i]);
   } else {
-    said.clear();
+    known_values.clear();
   }
 }
 
@@ -212,13 +212,13 @@ void WindowSet::append(const WindowSet& other, std::size_t i) {
     record.clear();
     first_sample.clear();
   }
-  append_said(parameters, other.parameters, i, size());
-  append_said(condition, other.condition, i, size());
-  append_said(shaft_speed_rpm, other.shaft_speed_rpm, i, size());
-  append_said(defect_size_mm, other.defect_size_mm, i, size());
-  append_said(strikes_s, other.strikes_s, i, size());
-  append_said(parents, other.parents, i, size());
-  append_said(start_angle_rad, other.start_angle_rad, i, size());
+  append_known(parameters, other.parameters, i, size());
+  append_known(condition, other.condition, i, size());
+  append_known(shaft_speed_rpm, other.shaft_speed_rpm, i, size());
+  append_known(defect_size_mm, other.defect_size_mm, i, size());
+  append_known(impact_times_s, other.impact_times_s, i, size());
+  append_known(parents, other.parents, i, size());
+  append_known(start_angle_rad, other.start_angle_rad, i, size());
   const std::span<const float> window = other.window(i);
   samples.insert(samples.end(), window.begin(), window.end());
   labels.push_back(other.labels[i]);
@@ -254,7 +254,7 @@ void write(artefact::Writer& writer, const WindowSet& windows) {
   if (!windows.shaft_speed_rpm.empty()) writer.numbers("/shaft_speed_rpm", windows.shaft_speed_rpm);
   if (!windows.defect_size_mm.empty()) writer.numbers("/defect_size_mm", windows.defect_size_mm);
   if (!windows.start_angle_rad.empty()) writer.numbers("/start_angle_rad", windows.start_angle_rad);
-  write_lists(writer, strike_paths, windows.strikes_s);
+  write_lists(writer, impact_time_paths, windows.impact_times_s);
   write_lists(writer, parent_paths, windows.parents);
 }
 
@@ -284,7 +284,7 @@ WindowSet read_window_set(const artefact::Reader& reader) {
       read_each(reader, "/defect_size_mm", windows.size(), ranges::defect_size_mm);
   windows.start_angle_rad =
       read_each(reader, "/start_angle_rad", windows.size(), ranges::start_angle_rad);
-  read_strikes(reader, windows);
+  read_impact_times(reader, windows);
   read_parents(reader, windows);
   return windows;
 }

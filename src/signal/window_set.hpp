@@ -33,7 +33,7 @@ struct WindowSet {
   std::vector<double> defect_size_mm;
   /// [n] impact times in each window, in s from its first sample, ascending; empty if the generator
   /// does not know them.
-  std::vector<std::vector<double>> strikes_s;
+  std::vector<std::vector<double>> impact_times_s;
   /// [n] known windows that each window was made from, the largest contribution first. Empty if the
   /// generator does not know them or fits all known windows of a class.
   std::vector<Parents> parents;

@@ -23,8 +23,8 @@ constexpr double edge_hz = 100;
 
 constexpr double edge = 1.0 / 60;  // fraction of half the sample rate that is left out at both ends
 // Fractions of a window's power that are added as a floor, so that no level is -infinity.
-constexpr double quietest_band = 1e-12;
-constexpr double quietest_level = 1e-9;
+constexpr double lowest_band = 1e-12;
+constexpr double lowest_level = 1e-9;
 
 /// Returns the first bin at or above a band's lower edge.
 Index first_bin(Index band, Index length) {
@@ -83,7 +83,7 @@ Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window) {
                             window.size(), spectral_shape_bands));
   }
   const Eigen::ArrayXd power = mean_power_spectrum(window);
-  const double floor = quietest_band * power.sum();
+  const double floor = lowest_band * power.sum();
   const Eigen::ArrayXd shape = band_means(power, edges).unaryExpr([&](double mean) {
     return 10 * std::log10(mean + floor);
   });
@@ -95,7 +95,7 @@ Eigen::ArrayXd band_levels_db(const Eigen::RowVectorXd& window, const FilterBank
   Eigen::ArrayXd levels(bank.responses.size());
   std::ranges::transform(bank.responses, levels.begin(), [&](const Eigen::ArrayXd& response) {
     const double passed = (power * response.square()).sum();
-    return 10 * std::log10(passed / power.sum() + quietest_level);
+    return 10 * std::log10(passed / power.sum() + lowest_level);
   });
   return levels;
 }

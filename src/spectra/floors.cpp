@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double quietest = 1e-9;  // fraction of the largest amplitude: rounding
+constexpr double lowest = 1e-9;  // fraction of the largest amplitude: rounding
 
 /// Replaces one number in a sorted array by another, and keeps the array sorted.
 void replace(std::vector<double>& sorted, double old, double with) {
@@ -84,7 +84,7 @@ Eigen::ArrayXcd whitened_spectrum(const Eigen::RowVectorXd& window, double rate_
   const auto bins = std::lround(smoothing_hz * static_cast<double>(window.size()) / rate_hz);
   const Index width = std::max<Index>(3, bins / 2 * 2 + 1);
   const Eigen::ArrayXd amplitude = smoothed(spectrum.abs2(), width).sqrt();
-  const double floor = quietest * amplitude.maxCoeff() + std::numeric_limits<double>::min();
+  const double floor = lowest * amplitude.maxCoeff() + std::numeric_limits<double>::min();
   return spectrum / amplitude.max(floor);
 }
 

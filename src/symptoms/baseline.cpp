@@ -34,20 +34,21 @@ Eigen::ArrayXXd rows_of(const std::vector<const Measures*>& windows, Row row) {
 Baseline::Baseline(const std::vector<const Measures*>& healthy)
     : novelty_(rows_of(healthy, &Measures::shape_db)),
       levels_db_(rows_of(healthy, &Measures::levels_db).colwise().mean()) {
-  for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
+  for (std::size_t fault_type = 0; fault_type < number_of_fault_types; ++fault_type) {
     Eigen::ArrayXd lines(healthy.size());
     std::ranges::transform(healthy, lines.begin(),
-                           [&](const Measures* window) { return window->lines.at(kind); });
-    mean_.at(kind) = lines.mean();
-    deviation_.at(kind) =
+                           [&](const Measures* window) { return window->lines.at(fault_type); });
+    mean_.at(fault_type) = lines.mean();
+    deviation_.at(fault_type) =
         std::max(std::sqrt((lines - lines.mean()).square().mean()), least_deviation);
   }
 }
 
-std::array<double, number_of_kinds> Baseline::excesses(const Measures& window) const {
-  std::array<double, number_of_kinds> excesses{};
-  for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
-    excesses.at(kind) = (window.lines.at(kind) - mean_.at(kind)) / deviation_.at(kind);
+std::array<double, number_of_fault_types> Baseline::excesses(const Measures& window) const {
+  std::array<double, number_of_fault_types> excesses{};
+  for (std::size_t fault_type = 0; fault_type < number_of_fault_types; ++fault_type) {
+    excesses.at(fault_type) =
+        (window.lines.at(fault_type) - mean_.at(fault_type)) / deviation_.at(fault_type);
   }
   return excesses;
 }
@@ -113,7 +114,7 @@ void Baselines::write(artefact::Writer& writer, const std::string& group) const 
   }
   const std::size_t n = measures_.size();
   writer.numbers(group + "/speed_rpm", speeds_rpm_);
-  writer.numbers(group + "/lines", lines, {n, number_of_kinds});
+  writer.numbers(group + "/lines", lines, {n, number_of_fault_types});
   writer.numbers(group + "/shape_db", shapes, {n, shapes.size() / n});
   writer.numbers(group + "/levels_db", levels, {n, levels.size() / n});
 }
@@ -128,7 +129,7 @@ Baselines Baselines::read(const artefact::Reader& reader, const std::string& gro
     reader.refuse(group + "/speed_rpm",
                   fmt::format("has {} healthy windows, needs {} or more", n, fewest_healthy));
   }
-  const auto lines = reader.numbers<double>(group + "/lines", {n, number_of_kinds}).values;
+  const auto lines = reader.numbers<double>(group + "/lines", {n, number_of_fault_types}).values;
   const auto shapes =
       reader.numbers<double>(group + "/shape_db", {n, std::size_t{spectra::spectral_shape_bands}});
   const auto levels =
@@ -139,8 +140,8 @@ Baselines Baselines::read(const artefact::Reader& reader, const std::string& gro
   };
   for (std::size_t i = 0; i < n; ++i) {
     Measures window;
-    std::copy_n(lines.begin() + static_cast<std::ptrdiff_t>(i * number_of_kinds), number_of_kinds,
-                window.lines.begin());
+    std::copy_n(lines.begin() + static_cast<std::ptrdiff_t>(i * number_of_fault_types),
+                number_of_fault_types, window.lines.begin());
     window.shape_db = row_of(shapes, i);
     window.levels_db = row_of(levels, i);
     read.measures_.push_back(window);

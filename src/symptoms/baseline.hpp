@@ -23,14 +23,14 @@ class Baseline {
 
   /// Returns the height of each fault type's line above the healthy mean, in healthy standard
   /// deviations.
-  [[nodiscard]] std::array<double, number_of_kinds> excesses(const Measures& window) const;
+  [[nodiscard]] std::array<double, number_of_fault_types> excesses(const Measures& window) const;
   [[nodiscard]] const Novelty& novelty() const { return novelty_; }
   /// Returns [bands] the levels of a window above the mean of the healthy ones, in dB.
   [[nodiscard]] Eigen::ArrayXd rise_db(const Measures& window) const;
 
  private:
-  std::array<double, number_of_kinds> mean_{};
-  std::array<double, number_of_kinds> deviation_{};
+  std::array<double, number_of_fault_types> mean_{};
+  std::array<double, number_of_fault_types> deviation_{};
   Novelty novelty_;
   Eigen::ArrayXd levels_db_;
 };

@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "bearing/kinematics.hpp"
-#include "bearing/strikes.hpp"
 #include "signal/amplitude.hpp"
 #include "spectra/bands.hpp"
 #include "spectra/lines.hpp"
@@ -18,7 +18,7 @@ namespace piae::symptoms {
 
 namespace {
 
-using Orders = std::array<double, number_of_kinds>;
+using Orders = std::array<double, number_of_fault_types>;
 
 constexpr double bins_apart = 2;
 constexpr double lowest_line = -1;
@@ -95,12 +95,12 @@ Measures measure_one(const Eigen::RowVectorXd& window, const spectra::FilterBank
   const spectra::OrderSpectrum spectrum =
       spectra::order_spectrum(window, bank, shaft_hz, last_order(orders));
   Measures measures;
-  for (std::size_t kind = 0; kind < number_of_kinds; ++kind) {
-    measures.lines.at(kind) =
-        spectra::common_slip_height(spectrum, orders.at(kind), most_harmonics, lowest_line);
+  for (std::size_t fault_type = 0; fault_type < number_of_fault_types; ++fault_type) {
+    measures.lines.at(fault_type) =
+        spectra::common_slip_height(spectrum, orders.at(fault_type), most_harmonics, lowest_line);
     for (int n = 1; n <= most_harmonics; ++n) {
-      measures.heights.at(kind).at(n - 1) =
-          spectra::common_slip_height(spectrum, orders.at(kind), n, lowest_height);
+      measures.heights.at(fault_type).at(n - 1) =
+          spectra::common_slip_height(spectrum, orders.at(fault_type), n, lowest_height);
     }
   }
   measures.log_kurtosis = log_kurtosis(window);
@@ -111,11 +111,11 @@ Measures measure_one(const Eigen::RowVectorXd& window, const spectra::FilterBank
 
 }  // namespace
 
-std::array<double, number_of_kinds> line_orders(const bearing::Geometry& geometry) {
+std::array<double, number_of_fault_types> line_orders(const bearing::Geometry& geometry) {
   constexpr double one_turn_a_second_rpm = 60;
-  std::array<double, number_of_kinds> orders{};
-  std::ranges::transform(kinds, orders.begin(), [&](bearing::Defect kind) {
-    return bearing::strike_frequency_hz(geometry, kind, one_turn_a_second_rpm);
+  std::array<double, number_of_fault_types> orders{};
+  std::ranges::transform(fault_types, orders.begin(), [&](bearing::Defect fault_type) {
+    return bearing::impact_frequency_hz(geometry, fault_type, one_turn_a_second_rpm);
   });
   return orders;
 }

@@ -12,25 +12,25 @@
 namespace piae::symptoms {
 
 /// Fault types, in the order used everywhere in this room.
-inline constexpr std::array kinds{bearing::Defect::inner, bearing::Defect::roller,
-                                  bearing::Defect::outer};
-inline constexpr std::size_t number_of_kinds = kinds.size();
+inline constexpr std::array fault_types{bearing::Defect::inner, bearing::Defect::roller,
+                                        bearing::Defect::outer};
+inline constexpr std::size_t number_of_fault_types = fault_types.size();
 
 /// Largest number of harmonics used for a line.
 inline constexpr int most_harmonics = 4;
 
 /// Returns the impacts per shaft turn for a defect of each type, without slip: BPFI, 2 BSF and BPFO
 /// divided by the shaft frequency.
-std::array<double, number_of_kinds> line_orders(const bearing::Geometry& geometry);
+std::array<double, number_of_fault_types> line_orders(const bearing::Geometry& geometry);
 
 /// Measures of one window, before it is compared with healthy ones. Neither level nor offset of the
 /// window affects them.
 struct Measures {
   /// Height of each fault type's line over four harmonics, at least -1
   /// (spectra::common_slip_height()).
-  std::array<double, number_of_kinds> lines{};
+  std::array<double, number_of_fault_types> lines{};
   /// Height over 1 .. 4 harmonics, [kind][harmonics - 1], clipped to at least -0.5.
-  std::array<std::array<double, most_harmonics>, number_of_kinds> heights{};
+  std::array<std::array<double, most_harmonics>, number_of_fault_types> heights{};
   double log_kurtosis = 0;  ///< ln(mean of the 4th power / squared mean of the 2nd), about the mean
   Eigen::ArrayXd shape_db;  ///< [48] of the spectrum (spectra/bands.hpp)
   Eigen::ArrayXd levels_db;  ///< [bands] (spectra/bands.hpp)

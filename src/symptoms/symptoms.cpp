@@ -8,7 +8,7 @@ namespace piae::symptoms {
 
 namespace {
 
-constexpr Eigen::Index loudest_bands = 3;
+constexpr Eigen::Index highest_bands = 3;
 constexpr double most_risen_db = 20;
 constexpr double least_risen_db = 3;
 constexpr double most_novel = 6;
@@ -23,7 +23,7 @@ Symptoms symptoms_of(const Measures& window, const Baseline& baseline, double no
 
   Eigen::ArrayXd rises_db = baseline.rise_db(window);
   std::ranges::sort(rises_db, std::greater());
-  const double three_db = rises_db.head(std::min(loudest_bands, rises_db.size())).mean();
+  const double three_db = rises_db.head(std::min(highest_bands, rises_db.size())).mean();
   const auto last = rises_db.size() - 1;
   *next++ = std::clamp(rises_db[0], -least_risen_db, most_risen_db);
   *next++ = std::clamp(three_db, -least_risen_db, most_risen_db);

@@ -8,7 +8,7 @@
 
 namespace piae::symptoms {
 
-inline constexpr std::size_t number_of_symptoms = number_of_kinds * most_harmonics + 5;
+inline constexpr std::size_t number_of_symptoms = number_of_fault_types * most_harmonics + 5;
 
 /// Symptoms of a fault in a window. They mean the same on every machine, because they are relative
 /// to the window's own floor or to healthy windows of the machine.

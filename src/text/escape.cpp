@@ -52,6 +52,30 @@ std::string markdown_text(const std::string& text) {
   return escaped;
 }
 
+std::string markup_text(const std::string& text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
 std::string latex_text(const std::string& text) {
   std::string escaped;
   for (std::size_t i = 0; i < text.size();) {

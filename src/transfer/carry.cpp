@@ -8,8 +8,8 @@
 #include "impacts/resonance.hpp"
 #include "impacts/response.hpp"
 #include "impacts/synthesis.hpp"
+#include "transfer/endless_cycle.hpp"
 #include "transfer/known_bearings.hpp"
-#include "transfer/turning.hpp"
 
 namespace piae::transfer {
 
@@ -71,7 +71,7 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
 
 Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
   const std::size_t known = journey.known;
-  const double rpm = options_.rhythm == Set::tested ? journey.to_rpm : journey.from_rpm;
+  const double rpm = options_.rate_of == Set::tested ? journey.to_rpm : journey.from_rpm;
   Draw draw{.rate = {.period = period_s(known_, known, rpm), .jitter = options_.jitter},
             .edges = edges_[known],
             .path = {}};
@@ -126,7 +126,7 @@ ArrayXd Carrier::background(const Journey& journey, const ArrayXd& response, con
                                rate_hz, random);
 }
 
-StruckWindow Carrier::put_together(const Journey& journey, Stream& random) const {
+ImpactWindow Carrier::put_together(const Journey& journey, Stream& random) const {
   const Draw drawn = draw(journey, random);
   const double rate_hz = known_.info.sample_rate_hz;
   const ArrayXd log_response = response(journey, random);
@@ -141,20 +141,20 @@ StruckWindow Carrier::put_together(const Journey& journey, Stream& random) const
             .lag_s = drawn.edges.lag_s * (1 + random.normal(0, drawn.edges.spread)),
             .exit = drawn.edges.exit};
       });
-  const ArrayXd struck = impacts::window_of(
-      impacts::struck_frame(impacts, response_behind(drawn.path, log_response), rate_hz), half);
-  const double part = struck.isZero(0) ? 1 : random.uniform(0, 1) * options_.background;
-  const ArrayXd made = std::sqrt(1 - part) * struck +
+  const ArrayXd with_impacts = impacts::window_of(
+      impacts::impact_frame(impacts, response_behind(drawn.path, log_response), rate_hz), half);
+  const double part = with_impacts.isZero(0) ? 1 : random.uniform(0, 1) * options_.background;
+  const ArrayXd made = std::sqrt(1 - part) * with_impacts +
                        std::sqrt(part) * background(journey, log_response, drawn, random);
-  StruckWindow window{.samples = {made.begin(), made.end()}, .strikes = {}};
-  window.strikes.reserve(impacts.size());
+  ImpactWindow window{.samples = {made.begin(), made.end()}, .impact_positions = {}};
+  window.impact_positions.reserve(impacts.size());
   for (const impacts::Impact& impact : impacts) {
-    window.strikes.push_back((impact.time_s - half_s) * rate_hz);
+    window.impact_positions.push_back((impact.time_s - half_s) * rate_hz);
   }
   return window;
 }
 
-StruckWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const {
+ImpactWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const {
   const Draw drawn = draw(journey, random);
   const double rate_hz = known_.info.sample_rate_hz;
   std::vector<std::complex<double>> gains(known_.length / 2 + 1);
@@ -168,12 +168,13 @@ StruckWindow Carrier::cut_and_set(const Journey& journey, Stream& random) const 
   impacts::filter(samples, gains);
   const std::vector<Cut> responses = cut_responses(samples, windows_[journey.known].comb);
   // A window without a whole response has no rate that could be changed.
-  if (options_.rhythm == Set::known || responses.empty()) {
-    const Turning turning = turning_of(samples, windows_[journey.known].comb);
-    return turned(turning, turning, known_.length, random);
+  if (options_.rate_of == Set::known || responses.empty()) {
+    const EndlessCycle endless = endless_cycle_of(samples, windows_[journey.known].comb);
+    return window_of_cycles(endless, endless, known_.length, random);
   }
-  return struck(responses, {.period = drawn.rate.period * rate_hz, .jitter = drawn.rate.jitter},
-                known_.length, random);
+  return with_impacts(responses,
+                      {.period = drawn.rate.period * rate_hz, .jitter = drawn.rate.jitter},
+                      known_.length, random);
 }
 
 void Carrier::match_level(std::size_t known, std::vector<double>& samples) const {
@@ -186,22 +187,23 @@ void Carrier::match_level(std::size_t known, std::vector<double>& samples) const
 }
 
 signal::MadeWindow Carrier::carry(const Journey& journey, Stream& random) const {
-  StruckWindow window;
+  ImpactWindow window;
   std::size_t last = journey.known;
   if (!moves(journey)) {
     const std::vector<std::size_t>& alike = windows_[journey.known].alike;
     last = alike[random.below(alike.size())];
-    const auto turning = [&](std::size_t i) {
-      return turning_of(samples_of_window(known_, i), windows_[i].comb);
+    const auto endless = [&](std::size_t i) {
+      return endless_cycle_of(samples_of_window(known_, i), windows_[i].comb);
     };
-    window = turned(turning(journey.known), turning(last), known_.length, random);
+    window = window_of_cycles(endless(journey.known), endless(last), known_.length, random);
   } else {
     window = options_.response == Response::cut ? cut_and_set(journey, random)
                                                 : put_together(journey, random);
     match_level(journey.known, window.samples);
   }
   signal::MadeWindow made = arrived(known_, journey, window.samples);
-  made.strikes_s = impacts::times_within(window.strikes, known_.length, known_.info.sample_rate_hz);
+  made.impact_times_s =
+      impacts::times_within(window.impact_positions, known_.length, known_.info.sample_rate_hz);
   made.parameters = windows_[journey.known].ring;
   made.parents = signal::parents_of({journey.known, last});
   return made;

@@ -31,7 +31,7 @@ namespace piae::transfer {
 /// smallest and the largest known size of the class, extended by a factor.
 /// If nothing moves, because the known bearing is tested at the known speed, the known window is
 /// circularly shifted. At a random moment it continues in another window of its bearing, at the
-/// same rate and level (turning.hpp). A model could not add information here.
+/// same rate and level (endless_cycle.hpp). A model could not add information here.
 class Carrier {
  public:
   /// `edges` are those of each known window. Both must outlive this. `healthy` is only for
@@ -68,8 +68,8 @@ class Carrier {
   [[nodiscard]] Eigen::ArrayXd response(const Journey& journey, Stream& random) const;
   [[nodiscard]] Eigen::ArrayXd background(const Journey& journey, const Eigen::ArrayXd& response,
                                           const Draw& draw, Stream& random) const;
-  [[nodiscard]] StruckWindow put_together(const Journey& journey, Stream& random) const;
-  [[nodiscard]] StruckWindow cut_and_set(const Journey& journey, Stream& random) const;
+  [[nodiscard]] ImpactWindow put_together(const Journey& journey, Stream& random) const;
+  [[nodiscard]] ImpactWindow cut_and_set(const Journey& journey, Stream& random) const;
   void match_level(std::size_t known, std::vector<double>& samples) const;
 
   const signal::WindowSet& known_;

@@ -38,26 +38,26 @@ ArrayXd envelope_of(std::span<const double> window, double period) {
   return averaged(envelope, std::max<Index>(1, std::lround(averaged_part * period)));
 }
 
-int strikes_before(double end, const Comb& comb) {
+int impacts_before(double end, const Comb& comb) {
   int count = 0;
   while (comb.first + count * comb.period < end) ++count;
   return count;
 }
 
 double mean_on(const Comb& comb, const ArrayXd& envelope) {
-  const int strikes = strikes_before(static_cast<double>(envelope.size()), comb);
+  const int impact_positions = impacts_before(static_cast<double>(envelope.size()), comb);
   double sum = 0;
-  for (int i = 0; i < strikes; ++i) {
+  for (int i = 0; i < impact_positions; ++i) {
     sum += envelope[static_cast<Index>(comb.first + i * comb.period)];
   }
-  return strikes > 0 ? sum / strikes : 0;
+  return impact_positions > 0 ? sum / impact_positions : 0;
 }
 
 }  // namespace
 
-std::vector<std::size_t> Comb::strikes(std::size_t length) const {
+std::vector<std::size_t> Comb::impact_positions(std::size_t length) const {
   std::vector<std::size_t> all;
-  const int count = strikes_before(static_cast<double>(length), *this);
+  const int count = impacts_before(static_cast<double>(length), *this);
   all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) all.push_back(static_cast<std::size_t>(first + i * period));
   return all;
@@ -90,7 +90,7 @@ std::vector<double> seen_strengths(std::span<const double> window, const Comb& c
   const double median = sorted[sorted.size() / 2];
   std::vector<double> all;
   double sum = 0;
-  for (const std::size_t strike : comb.strikes(window.size())) {
+  for (const std::size_t strike : comb.impact_positions(window.size())) {
     all.push_back(std::max(0.0, envelope[static_cast<Index>(strike)] - median));
     sum += all.back();
   }

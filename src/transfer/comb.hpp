@@ -12,7 +12,7 @@ struct Comb {
   double period = 0;  ///< samples from impact to impact
 
   /// Returns the impacts within `length` samples, rounded to samples.
-  [[nodiscard]] std::vector<std::size_t> strikes(std::size_t length) const;
+  [[nodiscard]] std::vector<std::size_t> impact_positions(std::size_t length) const;
 };
 
 /// Returns the comb on which the envelope of a window is highest, among combs whose period is

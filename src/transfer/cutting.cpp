@@ -66,7 +66,7 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
   const auto lead = static_cast<std::size_t>(lead_part * comb.period);
   const auto length = static_cast<std::size_t>(comb.period);
   std::vector<Cut> responses;
-  for (const std::size_t strike : comb.strikes(window.size())) {
+  for (const std::size_t strike : comb.impact_positions(window.size())) {
     if (strike < lead || strike - lead + length > window.size()) continue;
     const auto part = window.subspan(strike - lead, length);
     responses.emplace_back(part.begin(), part.end());
@@ -74,9 +74,9 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
   return responses;
 }
 
-StruckWindow struck(const std::vector<Cut>& responses, const impacts::ImpactRate& rate,
-                    std::size_t length, Stream& random) {
-  StruckWindow window{.samples = std::vector<double>(length, 0.0), .strikes = {}};
+ImpactWindow with_impacts(const std::vector<Cut>& responses, const impacts::ImpactRate& rate,
+                          std::size_t length, Stream& random) {
+  ImpactWindow window{.samples = std::vector<double>(length, 0.0), .impact_positions = {}};
   const auto gap = static_cast<std::size_t>(std::ceil(rate.period));
   const std::size_t longest = std::ranges::max(responses, {}, &Cut::size).size();
   std::size_t next = random.below(responses.size());
@@ -95,7 +95,7 @@ StruckWindow struck(const std::vector<Cut>& responses, const impacts::ImpactRate
     }
     add_at(std::lround(place), response, window.samples);
     const double strike = place + lead;
-    if (strike >= 0 && strike < end) window.strikes.push_back(strike);
+    if (strike >= 0 && strike < end) window.impact_positions.push_back(strike);
   });
   return window;
 }

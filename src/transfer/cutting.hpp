@@ -13,9 +13,9 @@ namespace piae::transfer {
 using Cut = std::vector<double>;
 
 /// A window, and the positions of its impacts in samples, ascending.
-struct StruckWindow {
+struct ImpactWindow {
   std::vector<double> samples;
-  std::vector<double> strikes;
+  std::vector<double> impact_positions;
 };
 
 /// Cuts a window at its impacts. Each cut reaches from a little before an impact (the comb lies
@@ -28,7 +28,7 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
 /// overlap and fade. If the new period is longer, responses continue with the ends of others: the
 /// machine's background and decaying rings. Needs at least one response and a period of two samples
 /// or more.
-StruckWindow struck(const std::vector<Cut>& responses, const impacts::ImpactRate& rate,
-                    std::size_t length, Stream& random);
+ImpactWindow with_impacts(const std::vector<Cut>& responses, const impacts::ImpactRate& rate,
+                          std::size_t length, Stream& random);
 
 }  // namespace piae::transfer

@@ -102,7 +102,7 @@ Trial trial_of(const SeenBearing& bearing, const Band& band, const std::vector<P
 }
 
 /// Returns the mean of what all other bearings leave unexplained.
-VectorXd structure_beside(const std::vector<Trial>& trials, std::size_t own) {
+VectorXd structure_and_edges(const std::vector<Trial>& trials, std::size_t own) {
   VectorXd sum = VectorXd::Zero(trials[own].seen.size());
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (i != own) sum += trials[i].left();
@@ -126,7 +126,7 @@ std::vector<impacts::Edges> fit_edges(const std::vector<SeenBearing>& bearings, 
   for (int round = 0; changed && round < most_rounds; ++round) {
     changed = false;
     for (std::size_t b = 0; b < trials.size(); ++b) {
-      const VectorXd own = trials[b].seen - structure_beside(trials, b);
+      const VectorXd own = trials[b].seen - structure_and_edges(trials, b);
       const ArrayXd errors =
           (trials[b].explained.colwise() - own).colwise().squaredNorm().transpose();
       Index best = 0;

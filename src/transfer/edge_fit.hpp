@@ -10,7 +10,8 @@ namespace piae::transfer {
 /// Measurements of one bearing in one condition.
 struct SeenBearing {
   Eigen::ArrayXd log_amplitude;  ///< natural logarithm of its windows' mean spectrum, by bin
-  double passage_s = 0;  ///< time that a ball takes to pass the defect (bearing/strikes.hpp)
+  double passage_s =
+      0;  ///< time that a ball takes to pass the defect (bearing/impact_frequency.hpp)
 };
 
 /// The bins of a spectrum in which the edges are searched.

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "impacts/times.hpp"
 
 namespace piae::transfer {
@@ -39,12 +39,12 @@ bool tests_other_bearings(const signal::WindowSet& known) {
 }
 
 double period_s(const signal::WindowSet& known, std::size_t i, double rpm) {
-  return 1 / bearing::strike_frequency_hz(known.info.bearing, class_of(known, i).defect, rpm);
+  return 1 / bearing::impact_frequency_hz(known.info.bearing, class_of(known, i).defect, rpm);
 }
 
 double passage_s(const signal::WindowSet& known, std::size_t i, double size_mm, double rpm) {
   return bearing::passage_s(known.info.bearing,
-                            {.kind = class_of(known, i).defect, .size_mm = size_mm}, rpm);
+                            {.fault_type = class_of(known, i).defect, .size_mm = size_mm}, rpm);
 }
 
 void require_rate(const signal::WindowSet& known) {

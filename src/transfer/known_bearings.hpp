@@ -25,8 +25,8 @@ bool tests_other_bearings(const signal::WindowSet& known);
 /// Returns the time between impacts of known window i's defect at this shaft speed.
 double period_s(const signal::WindowSet& known, std::size_t i, double rpm);
 
-/// Returns the time that a ball takes to pass a defect of this size (bearing/strikes.hpp) in known
-/// window i, at this shaft speed.
+/// Returns the time that a ball takes to pass a defect of this size (bearing/impact_frequency.hpp)
+/// in known window i, at this shaft speed.
 double passage_s(const signal::WindowSet& known, std::size_t i, double size_mm, double rpm);
 
 /// Throws Error(bad_input) if impacts of a known defect come more often than every two samples, at

@@ -44,7 +44,7 @@ cli::StoredOptions table_of(CarryOptions& o) {
             "known windows");
   table.add("edges", o.edges, set_words,
             "the lag between both edges of the defect: of the tested condition, or left");
-  table.add("rhythm", o.rhythm, set_words,
+  table.add("rhythm", o.rate_of, set_words,
             "the time between strikes: of the tested condition, or left");
   table.add("own-structure", o.own_structure, ranges::part,
             "of what tells the structure of a bearing from that of all: the least part kept");

@@ -21,8 +21,8 @@ enum class BackgroundFrom { struck, healthy };
 /// Options that carry windows to the tested condition.
 struct CarryOptions {
   Response response = Response::minimum_phase;
-  Set edges = Set::tested;   ///< lag between both edges of the defect
-  Set rhythm = Set::tested;  ///< time between impacts
+  Set edges = Set::tested;    ///< lag between both edges of the defect
+  Set rate_of = Set::tested;  ///< time between impacts
   StrengthOptions strengths;
   double own_structure = 1;  ///< least part kept of a bearing's deviation from the mean structure
   double background = 0;     ///< largest fraction of the power that impacts do not excite

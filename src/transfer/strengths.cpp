@@ -6,13 +6,14 @@
 
 namespace piae::transfer {
 
-std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Speeds& speeds,
+std::vector<double> load_zone_strengths(bearing::Defect fault_type, const bearing::Speeds& speeds,
                                         double period_s, std::size_t count,
                                         const impacts::LoadOptions& options, Stream& random) {
   const double extent =
       std::lerp(options.least_extent, options.largest_extent, random.uniform(0, 1));
   const double scatter = random.uniform(0, 1) * options.scatter;
-  impacts::Load load = impacts::load_on(kind, speeds, random.uniform(0, 1) * options.rotating);
+  impacts::Load load =
+      impacts::load_on(fault_type, speeds, random.uniform(0, 1) * options.rotating);
   const double other_race = random.uniform(0, 1);
   load.extent = extent;
   if (load.rad_per_s > 0) load.angle_rad = random.uniform(0, 2 * std::numbers::pi);
@@ -20,7 +21,7 @@ std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Spe
   std::vector<impacts::Impact> impacts(count);
   for (std::size_t i = 0; i < count; ++i) impacts[i].time_s = period_s * static_cast<double>(i);
   impacts::apply_load(load, scatter, random, impacts);
-  if (kind == bearing::Defect::roller) impacts::weaken_every_second(other_race, 1, impacts);
+  if (fault_type == bearing::Defect::roller) impacts::weaken_every_second(other_race, 1, impacts);
   std::vector<double> strengths;
   strengths.reserve(count);
   for (const impacts::Impact& impact : impacts) strengths.push_back(impact.strength);

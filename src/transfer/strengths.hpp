@@ -22,7 +22,7 @@ struct StrengthOptions {
 /// middle of the load zone; others start at any angle. Four values are uniform within the options:
 /// the extent of the zone, the load that turns with the shaft, the factor of a ball's weaker race,
 /// and the standard deviation of single impacts. At least one strength is positive.
-std::vector<double> load_zone_strengths(bearing::Defect kind, const bearing::Speeds& speeds,
+std::vector<double> load_zone_strengths(bearing::Defect fault_type, const bearing::Speeds& speeds,
                                         double period_s, std::size_t count,
                                         const impacts::LoadOptions& options, Stream& random);
 

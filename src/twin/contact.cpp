@@ -19,14 +19,15 @@ class Passage {
  public:
   Passage(const signal::DatasetInfo& info, const bearing::LocalDefect& defect)
       : balls_(info.bearing.balls),
-        kind_(defect.kind),
+        fault_type_(defect.fault_type),
         half_angle_(bearing::half_angle_rad(info.bearing, defect)),
         speeds_(bearing::speeds(info.bearing, info.known_speed_rpm())) {}
 
   /// Eq. 9: true if a ball is in the defect.
   [[nodiscard]] bool is_on(double time_s) const {
-    if (kind_ == Defect::roller) return bearing::faces_a_race(speeds_.spin * time_s, half_angle_);
-    const double defect_rad = kind_ == Defect::inner ? speeds_.shaft * time_s : 0;
+    if (fault_type_ == Defect::roller)
+      return bearing::faces_a_race(speeds_.spin * time_s, half_angle_);
+    const double defect_rad = fault_type_ == Defect::inner ? speeds_.shaft * time_s : 0;
     for (int j = 0; j < balls_; ++j) {
       const double ball_rad = speeds_.cage * time_s + 2 * pi * j / balls_;
       if (bearing::meet(ball_rad, defect_rad, half_angle_)) return true;
@@ -36,12 +37,12 @@ class Passage {
 
   /// Returns the fraction of the time during which a ball is in the defect.
   [[nodiscard]] double share() const {
-    return (kind_ == Defect::roller ? 2 : balls_) * half_angle_ / pi;
+    return (fault_type_ == Defect::roller ? 2 : balls_) * half_angle_ / pi;
   }
 
  private:
   int balls_;
-  Defect kind_;
+  Defect fault_type_;
   double half_angle_;
   bearing::Speeds speeds_;
 };
@@ -70,15 +71,15 @@ Contact make_contact(const signal::DatasetInfo& info, const signal::ClassInfo& o
                      std::int64_t samples, const TwinOptions& options) {
   const double clearance_m = options.clearance_um * 1e-6;
   const double depth_m = bearing::defect_depth_m(info.bearing, of_class.defect_size_mm);
-  if (options.contact == ContactReading::defect_alone) {
+  if (options.contact == ContactInterpretation::defect_alone) {
     return {.outside_m = 0, .inside_m = depth_m};
   }
   Contact contact{.outside_m = clearance_m, .inside_m = clearance_m + depth_m};
-  if (options.contact == ContactReading::standing) return contact;
+  if (options.contact == ContactInterpretation::standing) return contact;
   contact.at_rest = 0;
   if (of_class.defect == Defect::none) return contact;
-  const Passage passage(info, {.kind = of_class.defect, .size_mm = of_class.defect_size_mm});
-  if (options.contact == ContactReading::expected) {
+  const Passage passage(info, {.fault_type = of_class.defect, .size_mm = of_class.defect_size_mm});
+  if (options.contact == ContactInterpretation::expected) {
     contact.at_rest = passage.share();
   } else {
     contact.passing = shares_of_samples(passage, samples, info.sample_rate_hz);

@@ -34,7 +34,7 @@ std::string convolution_name(const std::string& network, std::int64_t i) {
 std::string dense_name(const std::string& network) { return network + "/dense"; }
 
 ConvolutionalCoder::ConvolutionalCoder(const NetworkShape& shape, const TwinOptions& options)
-    : shape_(shape), convolutions_(layers_beside_dense(options.depth, "convolution")) {
+    : shape_(shape), convolutions_(layers_except_dense(options.depth, "convolution")) {
   std::int64_t step = 1;
   for (std::int64_t i = 0; i < convolutions_; ++i) step *= stride;
   if (shape.samples % step != 0) {

@@ -142,16 +142,16 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
 
 template <class T>
 LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a,
-                              const LossReading& reading) {
+                              const LossInterpretation& interpretation) {
   LossOf<T> loss;
-  loss.by_acceleration = add_squares<T>(a - x, reading.squares, loss.value);
-  add_mmd<T>(x, a, nullptr, loss.by_acceleration, reading.mmd, loss.value);
+  loss.by_acceleration = add_squares<T>(a - x, interpretation.squares, loss.value);
+  add_mmd<T>(x, a, nullptr, loss.by_acceleration, interpretation.mmd, loss.value);
   return loss;
 }
 
 template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
-                            const LossReading& reading) {
+                            const LossInterpretation& interpretation) {
   const RowArray<T>& u = motion.displacement;
   const RowArray<T>& v = motion.velocity;
   const Index samples = u.cols();
@@ -163,11 +163,11 @@ LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Ste
   const RowArray<T> first = derivative<T>(v, stencil.first, per_step);
 
   LossOf<T> loss;
-  RowArray<T> by_second = add_squares<T>(second - a, reading.squares, loss.value);
-  RowArray<T> by_first = add_squares<T>(first - a, reading.squares, loss.value);
+  RowArray<T> by_second = add_squares<T>(second - a, interpretation.squares, loss.value);
+  RowArray<T> by_first = add_squares<T>(first - a, interpretation.squares, loss.value);
   RowArray<T> by_a = -by_second - by_first;
-  add_mmd<T>(second, a, &by_second, by_a, reading.mmd, loss.value);
-  add_mmd<T>(first, a, &by_first, by_a, reading.mmd, loss.value);
+  add_mmd<T>(second, a, &by_second, by_a, interpretation.mmd, loss.value);
+  add_mmd<T>(first, a, &by_first, by_a, interpretation.mmd, loss.value);
 
   loss.by_acceleration = RowArray<T>::Zero(u.rows(), samples);
   loss.by_acceleration.middleCols(stencil.reach, inside) = by_a;
@@ -179,16 +179,16 @@ LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Ste
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                     std::span<const Label> labels, const Physics& physics,
-                    const LossReading& reading) {
+                    const LossInterpretation& interpretation) {
   const auto& [u, v, a] = motion;
   LossOf<T> loss;
   loss.by_acceleration.resize(a.rows(), a.cols());
   loss.by_displacement.resize(a.rows(), a.cols());
   loss.by_velocity.resize(a.rows(), a.cols());
   loss.by_k_and_c.resize(a.rows(), 2);
-  const auto counted = reading.squares == Squares::sum ? a.rows() : a.size();
+  const auto counted = interpretation.squares == Squares::sum ? a.rows() : a.size();
   const double mean = 1.0 / static_cast<double>(counted);
-  const bool squared = reading.residual == Residual::squared;
+  const bool squared = interpretation.residual == Residual::squared;
   for (Index i = 0; i < a.rows(); ++i) {
     const std::size_t label = index_of(labels[static_cast<std::size_t>(i)]);
     const Contact& contact = physics.contact[label];
@@ -230,11 +230,11 @@ LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
   template double add_batch_mmd(const RowArray<T>&, const RowArray<T>&, RowArray<T>*,             \
                                 RowArray<T>&);                                                    \
   template LossOf<T> reconstruction_loss(const RowArray<T>&, const RowArray<T>&,                  \
-                                         const LossReading&);                                     \
+                                         const LossInterpretation&);                              \
   template LossOf<T> differential_loss(const BatchMotion<T>&, double, const Stencil&,             \
-                                       const LossReading&);                                       \
+                                       const LossInterpretation&);                                \
   template LossOf<T> twin_loss(const RowArray<T>&, const BatchMotion<T>&, std::span<const Label>, \
-                               const Physics&, const LossReading&)
+                               const Physics&, const LossInterpretation&)
 PIAE_INSTANTIATE(float);
 PIAE_INSTANTIATE(double);
 

@@ -42,7 +42,7 @@ double add_batch_mmd(const RowArray<T>& x, const RowArray<T>& y, RowArray<T>* by
 
 /// Interpretation of the norms and the MMD of eqs 20 to 22. `squares` also selects whether the
 /// residual of eq. 22 is averaged or summed over the samples of a window.
-struct LossReading {
+struct LossInterpretation {
   Squares squares = Squares::mean;
   Mmd mmd = Mmd::squared;
   Residual residual = Residual::squared;
@@ -52,7 +52,7 @@ struct LossReading {
 /// their MMD; both are [batch, N].
 template <class T>
 LossOf<T> reconstruction_loss(const RowArray<T>& x, const RowArray<T>& a,
-                              const LossReading& reading = {});
+                              const LossInterpretation& interpretation = {});
 
 /// Displacement, velocity and acceleration of a batch, dimensionless, [batch, N].
 template <class T>
@@ -67,14 +67,14 @@ struct BatchMotion {
 /// reaches. `step` is the dimensionless time between two samples.
 template <class T>
 LossOf<T> differential_loss(const BatchMotion<T>& motion, double step, const Stencil& stencil,
-                            const LossReading& reading = {});
+                            const LossInterpretation& interpretation = {});
 
 /// L_DT, eq. 22: returns the square or the absolute value of the dimensionless equation of motion
 /// (physics.hpp), for (k~, c~) [batch, 2]. The gradient by k~ includes the static equilibrium.
 template <class T>
 LossOf<T> twin_loss(const RowArray<T>& k_and_c, const BatchMotion<T>& motion,
                     std::span<const Label> labels, const Physics& physics,
-                    const LossReading& reading = {});
+                    const LossInterpretation& interpretation = {});
 
 /// One number for each loss of eq. 23, in this order: L_DDL (alpha), L_DT (beta), L_Rec (gamma).
 template <class T>

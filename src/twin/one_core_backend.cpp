@@ -60,9 +60,9 @@ class OneCoreBackend final : public TwinBackend {
         networks_(parameters_, task_.variant, *coder_, task_.shape, task_.options.positive,
                   largest_batch_),
         stencil_(stencil_of(task_.options.derivatives)),
-        reading_{.squares = task_.options.squares,
-                 .mmd = task_.options.mmd,
-                 .residual = task_.options.residual},
+        interpretation_{.squares = task_.options.squares,
+                        .mmd = task_.options.mmd,
+                        .residual = task_.options.residual},
         log_weights_(parameters_->find(log_weights_name).begin) {}
 
   BatchLosses step(TrainingStage stage, std::span<const std::size_t> windows,
@@ -113,11 +113,13 @@ class OneCoreBackend final : public TwinBackend {
                              ? batch.k_and_c
                              : as_rows(chosen(task_.states->decoder_inputs, windows));
     const Array a = networks_.decode(inputs, batch.labels);
-    batch.reconstruction = reconstruction_loss<float>(batch.windows, a, reading_);
+    batch.reconstruction = reconstruction_loss<float>(batch.windows, a, interpretation_);
     if (!task_.variant.physics) return batch;
     const BatchMotion<float> motion = networks_.move(a);
-    batch.differential = differential_loss<float>(motion, task_.physics.step, stencil_, reading_);
-    batch.twin = twin_loss<float>(batch.k_and_c, motion, batch.labels, task_.physics, reading_);
+    batch.differential =
+        differential_loss<float>(motion, task_.physics.step, stencil_, interpretation_);
+    batch.twin =
+        twin_loss<float>(batch.k_and_c, motion, batch.labels, task_.physics, interpretation_);
     return batch;
   }
 
@@ -245,7 +247,7 @@ class OneCoreBackend final : public TwinBackend {
   std::int64_t largest_batch_;  ///< number of windows
   Networks networks_;
   Stencil stencil_;
-  LossReading reading_;
+  LossInterpretation interpretation_;
   std::int64_t log_weights_;       ///< their start among the parameters
   std::int64_t steps_ = 0;         ///< steps of Adam for the networks
   std::int64_t weight_steps_ = 0;  ///< steps of Adam for the loss weights

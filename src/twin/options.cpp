@@ -59,10 +59,10 @@ void bind(const cli::Options& command, TwinOptions& o) {
                  "of eq. 21: central differences, or those of the band-limited signal");
   command.choose(
       "--contact", o.contact,
-      {{"standing", ContactReading::standing},
-       {"defect-alone", ContactReading::defect_alone},
-       {"passing", ContactReading::passing},
-       {"expected", ContactReading::expected}},
+      {{"standing", ContactInterpretation::standing},
+       {"defect-alone", ContactInterpretation::defect_alone},
+       {"passing", ContactInterpretation::passing},
+       {"expected", ContactInterpretation::expected}},
       "delta of eq. 22: clearance and depth throughout (eq. 11), the depth alone (eq. 22), with "
       "the depth while a ball passes (eq. 9), or what is expected of that over all angles");
   command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")

@@ -34,7 +34,7 @@ enum class SpaceOf {
 };
 
 /// Interpretation of delta in the contact of eq. 22. The start angle of a window is unknown.
-enum class ContactReading {
+enum class ContactInterpretation {
   standing,      ///< eq. 11 over the whole window: the clearance and the defect's depth
   defect_alone,  ///< eq. 22 literally: delta_n is the "column vector of defect size"
   passing,   ///< eqs 9 to 11: the depth is added while a ball is in the defect; starts at angle 0
@@ -109,7 +109,7 @@ struct TwinOptions {
   Mmd mmd = Mmd::squared;
   Residual residual = Residual::squared;
   Derivatives derivatives = Derivatives::central;
-  ContactReading contact = ContactReading::expected;
+  ContactInterpretation contact = ContactInterpretation::expected;
   SpaceOf space = SpaceOf::all_classes;
   LossWeights loss_weights = LossWeights::adaptive;
   double weight_learning_rate = 5e-4;  ///< for ln alpha, ln beta and ln gamma; also decays

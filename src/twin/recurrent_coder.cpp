@@ -14,7 +14,7 @@ std::string gru_name(std::int64_t i) { return "gru" + std::to_string(i); }
 
 RecurrentCoder::RecurrentCoder(const NetworkShape& shape, const TwinOptions& options)
     : shape_(shape),
-      layers_(layers_beside_dense(options.depth, "recurrent layer")),
+      layers_(layers_except_dense(options.depth, "recurrent layer")),
       frames_(frames_of(shape.samples, frame, "read in turn")) {}
 
 std::vector<nets::ParameterSpec> RecurrentCoder::specs() const {

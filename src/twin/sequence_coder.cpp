@@ -6,7 +6,7 @@
 
 namespace piae::twin {
 
-std::int64_t layers_beside_dense(int depth, const std::string& layers) {
+std::int64_t layers_except_dense(int depth, const std::string& layers) {
   if (depth < 2) {
     throw Error(Exit::usage, fmt::format("--depth: {} leaves no {}, since the layer at (k, c) is "
                                          "dense; 2 or more layers work",

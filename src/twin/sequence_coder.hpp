@@ -64,7 +64,7 @@ class SequenceCoder : public Coder {
 
 /// Returns `depth` minus the dense layer at (k, c). Throws Error(usage) if nothing is left;
 /// `layers` names the layers in the message: "recurrent layer".
-std::int64_t layers_beside_dense(int depth, const std::string& layers);
+std::int64_t layers_except_dense(int depth, const std::string& layers);
 
 /// Returns the number of frames of `frame` samples in a window. Throws Error(usage) if it is not
 /// whole; `handled` describes the use of frames in the message: "read in turn".

@@ -79,7 +79,7 @@ void add_transformer_blocks(Layers<T>& layers, GradientArray<T>& parameters, std
 
 TransformerCoder::TransformerCoder(const NetworkShape& shape, const TwinOptions& options)
     : shape_(shape),
-      blocks_(layers_beside_dense(options.depth, "block of attention")),
+      blocks_(layers_except_dense(options.depth, "block of attention")),
       tokens_(frames_of(shape.samples, frame, "read as tokens")) {
   if (tokens_ > most_tokens) {
     throw Error(Exit::usage,

@@ -27,8 +27,8 @@ double rms(const ArrayXd& window) { return std::sqrt(window.square().mean()); }
 constexpr double present = 0.7;
 constexpr double least_depth = 0.1;  // fraction of the largest depth
 constexpr int harmonics = 3;
-constexpr double more_knocks = 2;
-constexpr double knock_scatter = 0.7;  // standard deviation of a strength's logarithm
+constexpr double more_impacts = 2;
+constexpr double impact_scatter = 0.7;  // standard deviation of a strength's logarithm
 
 /// Adds amplitude cos(2 pi hz t + phase), by rotating a phasor from sample to sample.
 void add_cosine(double amplitude, double hz, double rate_hz, double phase, ArrayXd& sum) {
@@ -85,15 +85,16 @@ ArrayXd draw_modulation(const Scene& scene, const bearing::Geometry& geometry, s
   return sum.max(0.0);
 }
 
-std::vector<impacts::Impact> draw_stray_knocks(double frame_s, const Prior& prior, Stream& random) {
-  if (!bernoulli(random, prior.stray_knocks)) return {};
-  std::vector<impacts::Impact> knocks(1 + poisson(random, more_knocks));
-  for (impacts::Impact& knock : knocks) {
-    knock.time_s = random.uniform(0, frame_s);
-    knock.strength = std::exp(random.normal(0, knock_scatter));
-    knock.strength *= sign(random);
+std::vector<impacts::Impact> draw_stray_impacts(double frame_s, const Prior& prior,
+                                                Stream& random) {
+  if (!bernoulli(random, prior.stray_impacts)) return {};
+  std::vector<impacts::Impact> stray(1 + poisson(random, more_impacts));
+  for (impacts::Impact& impact : stray) {
+    impact.time_s = random.uniform(0, frame_s);
+    impact.strength = std::exp(random.normal(0, impact_scatter));
+    impact.strength *= sign(random);
   }
-  return knocks;
+  return stray;
 }
 
 }  // namespace piae::zero

@@ -37,6 +37,6 @@ Eigen::ArrayXd draw_modulation(const Scene& scene, const bearing::Geometry& geom
 
 /// Returns impacts of the rig at random times of a frame, with random sign. There are impacts with
 /// the prior's probability: one, and two more on average. Their strengths are log-normal.
-std::vector<impacts::Impact> draw_stray_knocks(double frame_s, const Prior& prior, Stream& random);
+std::vector<impacts::Impact> draw_stray_impacts(double frame_s, const Prior& prior, Stream& random);
 
 }  // namespace piae::zero

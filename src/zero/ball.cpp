@@ -58,7 +58,7 @@ void turn_between_passes(double period_s, double cage_hz, const Prior& prior, St
 
 void scatter_in_time(double frame_s, const Prior& prior, Stream& random,
                      std::vector<impacts::Impact>& impacts) {
-  const double share = random.uniform(0, 1) * prior.random_strikes;
+  const double share = random.uniform(0, 1) * prior.random_impacts;
   for (impacts::Impact& impact : impacts) {
     if (bernoulli(random, share)) impact.time_s = random.uniform(0, frame_s);
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "zero/draws.hpp"
 
 namespace piae::zero {
@@ -30,7 +30,7 @@ constexpr Index shortest_floor = 2;  // samples
 
 impacts::ImpactRate draw_rate(const Scene& scene, double slip, const Prior& prior, Stream& random) {
   const double jitter = scene.defect == bearing::Defect::roller ? prior.ball_jitter : prior.jitter;
-  return {.period = 1 / (scene.strike_hz * (1 + slip)),
+  return {.period = 1 / (scene.impact_frequency_hz * (1 + slip)),
           .jitter = log_evenly(random, jitter / jitter_span, jitter)};
 }
 
@@ -55,7 +55,7 @@ double draw_lag_s(const Scene& scene, const bearing::Geometry& geometry, const P
                   Stream& random) {
   const double largest_mm = largest_size_mm(geometry, prior);
   const double size_mm = log_evenly(random, std::min(prior.least_size_mm, largest_mm), largest_mm);
-  return bearing::passage_s(geometry, {.kind = scene.defect, .size_mm = size_mm},
+  return bearing::passage_s(geometry, {.fault_type = scene.defect, .size_mm = size_mm},
                             scene.shaft_speed_rpm) *
          evenly(random, least_passage, 1);
 }

@@ -26,8 +26,8 @@ impacts::Load draw_load(bearing::Defect defect, const bearing::Speeds& speeds, c
 double largest_size_mm(const bearing::Geometry& geometry, const Prior& prior);
 
 /// Returns the time between both edges of a defect, in s. The size is log-uniform. The passage time
-/// (eq. 8, bearing/strikes.hpp) is multiplied by a factor that is uniform from 0.8 to 1, since a
-/// ball reaches the second edge before its centre does.
+/// (eq. 8, bearing/impact_frequency.hpp) is multiplied by a factor that is uniform from 0.8 to 1,
+/// since a ball reaches the second edge before its centre does.
 double draw_lag_s(const Scene& scene, const bearing::Geometry& geometry, const Prior& prior,
                   Stream& random);
 

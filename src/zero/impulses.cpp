@@ -81,27 +81,27 @@ signal::MadeWindow add_impulses(const Machine& machine, const ImpulseOptions& op
   const double phase = draw.uniform(0, turn);
   const double level_db = evenly(draw, options.least_level_db, options.largest_level_db);
 
-  const double period = rate_hz / scene.strike_hz;
+  const double period = rate_hz / scene.impact_frequency_hz;
   const double first = draw.uniform(0, period);
   // Impulses before the window still ring in it.
   const double before = std::ceil(time_constants / decay.per_sample / period);
   const auto count = static_cast<std::size_t>(
       std::ceil((static_cast<double>(machine.length()) - first) / period) + before);
-  ArrayXd struck = ArrayXd::Zero(static_cast<Index>(machine.length()));
+  ArrayXd with_impacts = ArrayXd::Zero(static_cast<Index>(machine.length()));
   std::vector<double> places;
   places.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double place = first + (static_cast<double>(i) - before) * period;
     const double strength =
         rad_per_s > 0 ? 1 + depth * std::cos(phase + rad_per_s * place / rate_hz) : 1;
-    decay.add(place, strength, struck);
+    decay.add(place, strength, with_impacts);
     places.push_back(place);
   }
-  const double power = struck.square().mean();
-  if (power > 0) struck *= std::pow(10, level_db / 20) / std::sqrt(power);
+  const double power = with_impacts.square().mean();
+  if (power > 0) with_impacts *= std::pow(10, level_db / 20) / std::sqrt(power);
   signal::MadeWindow made =
-      at_level_of(scene.healthy, struck + draw_background(scene.healthy, 0, draw));
-  made.strikes_s = impacts::times_within(places, machine.length(), rate_hz);
+      at_level_of(scene.healthy, with_impacts + draw_background(scene.healthy, 0, draw));
+  made.impact_times_s = impacts::times_within(places, machine.length(), rate_hz);
   return made;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "impacts/response.hpp"
 #include "impacts/times.hpp"
 #include "signal/ranges.hpp"
@@ -38,17 +38,17 @@ std::string called(const signal::WindowSet& healthy, std::int32_t condition) {
          healthy.info.conditions[static_cast<std::size_t>(condition)].name + "'";
 }
 
-void require_strikes(const signal::WindowSet& healthy, Label label, double rpm) {
+void require_impact_times(const signal::WindowSet& healthy, Label label, double rpm) {
   const signal::DatasetInfo& info = healthy.info;
   impacts::require_rate(info, label, rpm);
   const signal::ClassInfo& c = info.class_of(label);
-  const double strike_hz = bearing::strike_frequency_hz(info.bearing, c.defect, rpm);
-  const double samples = std::ceil(info.sample_rate_hz / strike_hz);
+  const double impact_frequency_hz = bearing::impact_frequency_hz(info.bearing, c.defect, rpm);
+  const double samples = std::ceil(info.sample_rate_hz / impact_frequency_hz);
   if (static_cast<double>(healthy.length) >= samples) return;
   throw Error(Exit::bad_input,
               fmt::format("class {} is struck {:g} times a second at {:g} rpm, so that windows of "
                           "{} samples may hold no strike; {:.0f} or more would do",
-                          c.name, strike_hz, rpm, healthy.length, samples));
+                          c.name, impact_frequency_hz, rpm, healthy.length, samples));
 }
 
 void require_speed(const signal::WindowSet& healthy, std::size_t i) {
@@ -59,7 +59,7 @@ void require_speed(const signal::WindowSet& healthy, std::size_t i) {
                             "has a rhythm; describe the speed of its recording",
                             i, rpm));
   }
-  for (const Label label : healthy.info.fault_labels()) require_strikes(healthy, label, rpm);
+  for (const Label label : healthy.info.fault_labels()) require_impact_times(healthy, label, rpm);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
       throw Error(Exit::bad_input, called(healthy, condition) +
                                        ": what no fault is known of is made from those of B");
     }
-    heard_.push_back({.condition = condition, .sound = sound_of(std::move(windows))});
+    healthy_conditions_.push_back({.condition = condition, .sound = sound_of(std::move(windows))});
   }
 }
 
@@ -87,20 +87,22 @@ std::size_t Machine::sound_of(std::vector<std::size_t> windows) {
 }
 
 Scene Machine::draw_scene(Label label, std::size_t index, Stream& random) const {
-  const Heard& heard = heard_[index % heard_.size()];
-  const std::vector<std::size_t>& windows = sounds_[heard.sound].windows;
+  const HealthyCondition& of_condition = healthy_conditions_[index % healthy_conditions_.size()];
+  const std::vector<std::size_t>& windows = sounds_[of_condition.sound].windows;
   const std::size_t window = windows[random.below(windows.size())];
   const bearing::Defect defect = info().class_of(label).defect;
   const double rpm = healthy_.speed_rpm(window);
   return {.defect = defect,
-          .condition = heard.condition,
+          .condition = of_condition.condition,
           .shaft_speed_rpm = rpm,
-          .strike_hz = bearing::strike_frequency_hz(info().bearing, defect, rpm),
+          .impact_frequency_hz = bearing::impact_frequency_hz(info().bearing, defect, rpm),
           .healthy = healthy_.window(window)};
 }
 
 const Eigen::ArrayXd& Machine::log_amplitude(std::int32_t condition) const {
-  return sounds_[std::ranges::find(heard_, condition, &Heard::condition)->sound].log_amplitude;
+  return sounds_[std::ranges::find(healthy_conditions_, condition, &HealthyCondition::condition)
+                     ->sound]
+      .log_amplitude;
 }
 
 signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,

@@ -17,7 +17,7 @@ struct Scene {
   bearing::Defect defect = bearing::Defect::outer;
   std::int32_t condition = signal::every_condition;  ///< the tested condition
   double shaft_speed_rpm = 0;                        ///< speed of the healthy window
-  double strike_hz = 0;                              ///< BPFO, BPFI or 2 BSF at that speed
+  double impact_frequency_hz = 0;                    ///< BPFO, BPFI or 2 BSF at that speed
   std::span<const float> healthy;
 };
 
@@ -49,7 +49,7 @@ class Machine {
     Eigen::ArrayXd log_amplitude;
   };
   /// A tested condition and the index of its spectrum.
-  struct Heard {
+  struct HealthyCondition {
     std::int32_t condition;
     std::size_t sound;
   };
@@ -58,7 +58,7 @@ class Machine {
 
   const signal::WindowSet& healthy_;
   std::vector<Sound> sounds_;
-  std::vector<Heard> heard_;
+  std::vector<HealthyCondition> healthy_conditions_;
 };
 
 /// Makes one window of a scene. Draws from children of the stream.

@@ -29,7 +29,7 @@ cli::StoredOptions table_of(Prior& o) {
             "of a ball: strength on the race that is heard less / on the other: least; 1: alike");
   table.add("ball-phase", o.new_phase, ranges::part,
             "of a ball: largest probability that a turn of the cage finds it turned anyhow");
-  table.add("ball-random", o.random_strikes, ranges::part,
+  table.add("ball-random", o.random_impacts, ranges::part,
             "of a ball: largest share of strikes at any moment");
   table.add("ball-track", o.least_on_track, ranges::part,
             "of a ball: least share of the time in which its spot meets a race; 1: always");
@@ -60,7 +60,7 @@ cli::StoredOptions table_of(Prior& o) {
             "of the healthy window under a fault: standard deviation of its gain at a knot, dB");
   table.add("modulation", o.modulation, ranges::part,
             "of a window at the bearing's rates, whatever is damaged: largest depth");
-  table.add("stray-knocks", o.stray_knocks, ranges::part,
+  table.add("stray-knocks", o.stray_impacts, ranges::part,
             "probability of knocks that have no rhythm");
   table.add("level-from-db", o.least_level_db, ranges::level_db,
             "what is struck over the background: least, dB");

@@ -24,7 +24,7 @@ struct Prior {
   // Disorder of a ball (ball.hpp).
   double other_race = 0.2;  ///< least strength on the weaker race / on the other race; 1: equal
   double new_phase = 1;  ///< largest probability that a turn of the cage gives the ball a new phase
-  double random_strikes = 1;    ///< largest fraction of impacts at random times
+  double random_impacts = 1;    ///< largest fraction of impacts at random times
   double least_on_track = 0.1;  ///< least fraction of the time in which the defect meets a race
 
   // Both edges of the defect (impacts.hpp).
@@ -48,7 +48,7 @@ struct Prior {
   // The background and everything that a window shows independently of a fault (background.hpp).
   double background_db = 3;     ///< standard deviation of the background path's gain at a knot
   double modulation = 0.3;      ///< largest modulation depth at a rate of the bearing
-  double stray_knocks = 0.3;    ///< probability of stray impacts without a rate
+  double stray_impacts = 0.3;   ///< probability of stray impacts without a rate
   double least_level_db = -10;  ///< level of the impacts over the background
   double largest_level_db = 20;
 };

@@ -24,8 +24,8 @@ using Eigen::Index;
 using Impacts = std::vector<impacts::Impact>;
 
 /// Level of stray impacts over the background, dB.
-constexpr double quietest_knocks_db = -15;
-constexpr double loudest_knocks_db = 5;
+constexpr double least_impacts_db = -15;
+constexpr double largest_impacts_db = 5;
 
 double amplitude_of(double db) { return std::pow(10, db / 20); }
 
@@ -57,7 +57,7 @@ Twin::Twin(const Machine& machine, const Prior& prior)
                machine.info().sample_rate_hz) {
   for (const Label label : machine.info().fault_labels()) {
     bearing::validate(machine.info().bearing,
-                      {.kind = machine.info().class_of(label).defect,
+                      {.fault_type = machine.info().class_of(label).defect,
                        .size_mm = largest_size_mm(machine.info().bearing, prior)});
   }
 }
@@ -92,15 +92,15 @@ Impacts Twin::draw_impacts(const Scene& scene, const Stream& random) const {
   return impacts;
 }
 
-Twin::Struck Twin::strike(const Scene& scene, const ArrayXcd& response,
-                          const Stream& random) const {
+Twin::Synthesised Twin::synthesise(const Scene& scene, const ArrayXcd& response,
+                                   const Stream& random) const {
   const double rate_hz = machine_.info().sample_rate_hz;
   Impacts impacts = draw_impacts(scene, random);
   Stream edges = random.child("edges");
   Stream floor = random.child("floor");
   const double lag_s = draw_lag_s(scene, machine_.info().bearing, prior_, edges);
   if (prior_.edges == Switch::on) add_second_edges(lag_s, prior_, edges, impacts);
-  ArrayXd frame = impacts::struck_frame(impacts, response, rate_hz);
+  ArrayXd frame = impacts::impact_frame(impacts, response, rate_hz);
   if (bernoulli(floor, prior_.roughness)) {
     ArrayXd rough = draw_rough_floor(impacts, lag_s, frame.size(), rate_hz, floor);
     impacts::filter({rough.data(), static_cast<std::size_t>(rough.size())},
@@ -108,37 +108,38 @@ Twin::Struck Twin::strike(const Scene& scene, const ArrayXcd& response,
     frame += rough;
   }
   return {.window = impacts::window_of(frame, machine_.length()),
-          .strikes_s = times_in_window(impacts, frame.size(), machine_.length(), rate_hz)};
+          .impact_times_s = times_in_window(impacts, frame.size(), machine_.length(), rate_hz)};
 }
 
 ArrayXd Twin::background(const Scene& scene, const ArrayXcd& response, const Stream& random) const {
   Stream under = random.child("background");
-  Stream knocking = random.child("knocks");
+  Stream stray_random = random.child("knocks");
   ArrayXd healthy = draw_background(scene.healthy, prior_.background_db, under);
-  const Impacts knocks = draw_stray_knocks(frame_s_, prior_, knocking);
-  if (knocks.empty()) return healthy;
-  const double level = amplitude_of(evenly(knocking, quietest_knocks_db, loudest_knocks_db));
-  const ArrayXd knocked = impacts::window_of(
-      impacts::struck_frame(knocks, response, machine_.info().sample_rate_hz), machine_.length());
-  const ArrayXd both = healthy + level * knocked;
+  const Impacts stray = draw_stray_impacts(frame_s_, prior_, stray_random);
+  if (stray.empty()) return healthy;
+  const double level = amplitude_of(evenly(stray_random, least_impacts_db, largest_impacts_db));
+  const ArrayXd stray_frame = impacts::window_of(
+      impacts::impact_frame(stray, response, machine_.info().sample_rate_hz), machine_.length());
+  const ArrayXd both = healthy + level * stray_frame;
   return both / std::sqrt(both.square().mean());
 }
 
 signal::MadeWindow Twin::make(const Scene& scene, const Stream& random) const {
   const double rate_hz = machine_.info().sample_rate_hz;
   Stream structure = random.child("structure");
-  Stream loud = random.child("level");
+  Stream level_random = random.child("level");
   Stream modulating = random.child("modulation");
   const auto resonances = draw_resonances(prior_, rate_hz, structure);
   const ArrayXcd response = impacts::minimum_phase(draw_log_response(
       resonances, machine_.log_amplitude(scene.condition), rate_hz, prior_, structure));
-  Struck struck = strike(scene, response, random);
-  const double level = amplitude_of(evenly(loud, prior_.least_level_db, prior_.largest_level_db));
-  const ArrayXd window = (level * struck.window + background(scene, response, random)) *
+  Synthesised synthesised = synthesise(scene, response, random);
+  const double level =
+      amplitude_of(evenly(level_random, prior_.least_level_db, prior_.largest_level_db));
+  const ArrayXd window = (level * synthesised.window + background(scene, response, random)) *
                          draw_modulation(scene, machine_.info().bearing, machine_.length(), rate_hz,
                                          prior_, modulating);
   signal::MadeWindow made = at_level_of(scene.healthy, window);
-  made.strikes_s = std::move(struck.strikes_s);
+  made.impact_times_s = std::move(synthesised.impact_times_s);
   made.parameters = impacts::ring_of(resonances, prior_.mass_kg);
   return made;
 }

@@ -29,16 +29,16 @@ class Twin {
 
  private:
   /// The window of the impacts alone, with the mean square 1.
-  struct Struck {
+  struct Synthesised {
     Eigen::ArrayXd window;
-    std::vector<double> strikes_s;
+    std::vector<double> impact_times_s;
   };
 
   [[nodiscard]] std::vector<impacts::Impact> draw_impacts(const Scene& scene,
                                                           const Stream& random) const;
 
-  [[nodiscard]] Struck strike(const Scene& scene, const Eigen::ArrayXcd& response,
-                              const Stream& random) const;
+  [[nodiscard]] Synthesised synthesise(const Scene& scene, const Eigen::ArrayXcd& response,
+                                       const Stream& random) const;
   [[nodiscard]] Eigen::ArrayXd background(const Scene& scene, const Eigen::ArrayXcd& response,
                                           const Stream& random) const;
 

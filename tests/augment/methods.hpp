@@ -34,7 +34,7 @@ inline std::filesystem::path train(const std::string& method, const std::string&
                                    const nets::Checkpoint& checkpoint, const std::string& name) {
   artefact::Writer writer("model");
   const std::unique_ptr<Method> learner = method_with(method, options);
-  if (find_entry(method)->without_known) learner->hear(as_healthy(known));
+  if (find_entry(method)->without_known) learner->use_healthy(as_healthy(known));
   learner->train(known, Stream("train"), {}, checkpoint, writer);
   std::filesystem::path path = scratch_file(name);
   writer.save(path, {});

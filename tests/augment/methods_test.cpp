@@ -123,8 +123,8 @@ TEST_P(TrainedMethod, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
   const std::string uncut = bytes_of(trained(GetParam(), "uncut.h5", checkpoint_at("uncut")));
   for (int cut = 1; cut <= 4; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut");
-    int asked = 0;
-    checkpoint.interrupted = [&] { return ++asked == cut; };
+    int calls = 0;
+    checkpoint.interrupted = [&] { return ++calls == cut; };
     EXPECT_THROW(trained(GetParam(), "never.h5", checkpoint), Error) << "cut after " << cut;
     checkpoint.interrupted = [] { return false; };
     EXPECT_EQ(bytes_of(trained(GetParam(), "continued.h5", checkpoint)), uncut)

@@ -138,8 +138,8 @@ TEST(Physics, CutAfterAnyClassAndContinuedEqualsAnUncutFit) {
   const std::string uncut = bytes_of(model("", checkpoint_at("uncut.checkpoint"), "uncut.h5"));
   for (int cut = 1; cut <= 2; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.checkpoint");
-    int asked = 0;
-    checkpoint.interrupted = [&] { return ++asked == cut; };
+    int calls = 0;
+    checkpoint.interrupted = [&] { return ++calls == cut; };
     EXPECT_THROW(model("", checkpoint), Error) << "cut after " << cut;
     checkpoint.interrupted = [] { return false; };
     EXPECT_EQ(bytes_of(model("", checkpoint, "continued.h5")), uncut) << "cut after " << cut;

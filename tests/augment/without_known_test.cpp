@@ -26,7 +26,7 @@ std::filesystem::path model_of(const std::string& name, const signal::WindowSet&
   artefact::Writer writer("model");
   writer.attribute("/", "method", name);
   const std::unique_ptr<Method> method = make_method(name);
-  method->hear(healthy);
+  method->use_healthy(healthy);
   method->train(known, Stream("train"), {}, checkpoint_at("checkpoint"), writer);
   std::filesystem::path path = scratch_file(name + ".h5");
   writer.save(path, {});
@@ -37,7 +37,7 @@ TEST(WithoutKnown, AreMarkedInTheCatalogue) {
   for (const CatalogueEntry& entry : catalogue()) {
     EXPECT_EQ(entry.without_known, std::ranges::find(methods, entry.name) != methods.end());
     if (entry.without_known) {
-      EXPECT_TRUE(entry.hears);
+      EXPECT_TRUE(entry.uses_healthy);
     }
   }
 }
@@ -47,7 +47,7 @@ TEST(WithoutKnown, MakesEveryFaultClassFromHealthyWindowsAlone) {
     const signal::WindowSet healthy = as_healthy(known_windows());
     const signal::WindowSet made = generate(name, model_of(name, no_known_window(), healthy), 4);
     EXPECT_EQ(made.labels, (std::vector<std::int32_t>{1, 1, 1, 1, 2, 2, 2, 2}));
-    EXPECT_EQ(made.strikes_s.size(), 8U);
+    EXPECT_EQ(made.impact_times_s.size(), 8U);
     EXPECT_EQ(made.parameters.size(), name == "piae-dt-zero" ? 8U : 0U);
   }
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr Sampling sampling{12000, 1200};
 
 /// Returns courses that differ in everything in which courses may differ.
-std::vector<Course> varied_courses(std::size_t count, Defect kind) {
+std::vector<Course> varied_courses(std::size_t count, Defect fault_type) {
   const Variation wide{
       .stiffness_spread = 0.2, .damping_spread = 0.3, .speed_spread = 0.2, .slip_max = 0.05};
   Stream stream("courses");
@@ -31,8 +31,8 @@ std::vector<Course> varied_courses(std::size_t count, Defect kind) {
     options.mass_kg = stream.uniform(0.5, 2);
     options.clearance_um = i % 3 == 0 ? 0 : stream.uniform(0.5, 5);
     options.load_n = stream.uniform(1000, 2000);
-    Motion motion = draw_motion(stream, kind, 1797, wide);
-    if (kind == Defect::outer && i % 2 == 1) motion.defect_angle_rad = stream.uniform(-1, 1);
+    Motion motion = draw_motion(stream, fault_type, 1797, wide);
+    if (fault_type == Defect::outer && i % 2 == 1) motion.defect_angle_rad = stream.uniform(-1, 1);
     courses.push_back({motion, options});
   }
   return courses;

@@ -59,12 +59,12 @@ TEST(Defect, RefusesSizesThatCannotBe) {
   EXPECT_NO_THROW(validate({}, {Defect::none, 0}));
   EXPECT_NO_THROW(validate({}, {Defect::roller, 7.9}));
   EXPECT_THROW(validate({}, {Defect::none, 0.1}), Error);
-  for (const Defect kind : {Defect::outer, Defect::inner, Defect::roller}) {
-    EXPECT_NO_THROW(validate({}, {kind, 1}));
-    EXPECT_THROW(validate({}, {kind, 0}), Error);
-    EXPECT_THROW(validate({}, {kind, -1}), Error);
-    EXPECT_THROW(validate({}, {kind, 7.94}), Error);
-    EXPECT_THROW(validate({}, {kind, std::nan("")}), Error);
+  for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
+    EXPECT_NO_THROW(validate({}, {fault_type, 1}));
+    EXPECT_THROW(validate({}, {fault_type, 0}), Error);
+    EXPECT_THROW(validate({}, {fault_type, -1}), Error);
+    EXPECT_THROW(validate({}, {fault_type, 7.94}), Error);
+    EXPECT_THROW(validate({}, {fault_type, std::nan("")}), Error);
   }
 }
 

@@ -43,10 +43,10 @@ TEST(Simulate, HealthyBearingStaysNearEquilibrium) {
 }
 
 TEST(Simulate, LargerDefectsAreLouder) {
-  for (const Defect kind : {Defect::outer, Defect::inner, Defect::roller}) {
+  for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
     const double healthy = rms(simulate({}, {}, running, {}, {rate_hz, 6000}));
-    const double small = rms(simulate({}, {kind, 0.1778}, running, {}, {rate_hz, 6000}));
-    const double large = rms(simulate({}, {kind, 0.5334}, running, {}, {rate_hz, 6000}));
+    const double small = rms(simulate({}, {fault_type, 0.1778}, running, {}, {rate_hz, 6000}));
+    const double large = rms(simulate({}, {fault_type, 0.5334}, running, {}, {rate_hz, 6000}));
     EXPECT_GT(small, 100 * healthy);
     EXPECT_GT(large, 3 * small);
   }
@@ -84,12 +84,12 @@ TEST(Simulate, AnglesHoldAtTheFirstSample) {
 
 TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
   const LocalDefect defect{Defect::outer, 0.5334};
-  Motion before_strike = running;  // a ball has just left the defect; the next comes after 8 ms
-  before_strike.cage_angle_rad = 0.1;
-  const Course course{before_strike, {}};
+  Motion before_impact = running;  // a ball has just left the defect; the next comes after 8 ms
+  before_impact.cage_angle_rad = 0.1;
+  const Course course{before_impact, {}};
   const Sampling sampling{rate_hz, 2400};
-  const auto healthy = simulate({}, {}, before_strike, {}, sampling);
-  const auto always = simulate({}, defect, before_strike, {}, sampling);
+  const auto healthy = simulate({}, {}, before_impact, {}, sampling);
+  const auto always = simulate({}, defect, before_impact, {}, sampling);
   const auto onset = simulate_onset({}, defect, std::span(&course, 1), sampling);
   const auto from = [](const std::vector<double>& x, std::size_t first, std::size_t count) {
     const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);

@@ -19,9 +19,9 @@ class Envelope : public testing::TestWithParam<Case> {
   [[nodiscard]] FaultFrequencies frequencies() const {
     return fault_frequencies({}, GetParam().rpm);
   }
-  [[nodiscard]] EnvelopeSpectrum spectrum(Defect kind, const DynamicsOptions& options) const {
+  [[nodiscard]] EnvelopeSpectrum spectrum(Defect fault_type, const DynamicsOptions& options) const {
     const Motion motion{.shaft_speed_rpm = GetParam().rpm, .cage_angle_rad = 0.3};
-    return {simulate({}, {kind, GetParam().size_mm}, motion, options, {recorded_hz, samples}),
+    return {simulate({}, {fault_type, GetParam().size_mm}, motion, options, {recorded_hz, samples}),
             recorded_hz};
   }
 };
@@ -63,9 +63,9 @@ TEST_P(Envelope, OfAnInnerDefectHasBpfiAndShaftSideLines) {
 
 /// A faulty ball passes the load zone once per cage turn.
 TEST_P(Envelope, OfARollerDefectIsHighestAtTwiceBsf) {
-  const double strikes_hz = 2 * frequencies().bsf_hz;
+  const double impacts_hz = 2 * frequencies().bsf_hz;
   const EnvelopeSpectrum s = spectrum(Defect::roller, short_bursts);
-  EXPECT_NEAR(s.highest_line_hz(strikes_hz / 2, 1000) / strikes_hz, 1, 0.01);
+  EXPECT_NEAR(s.highest_line_hz(impacts_hz / 2, 1000) / impacts_hz, 1, 0.01);
 }
 
 TEST_P(Envelope, OfARollerDefectHasTwiceBsfAndCageSideLines) {

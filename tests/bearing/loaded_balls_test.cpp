@@ -79,10 +79,10 @@ TEST(LoadedBalls, BallsMoveWithTheCage) {
 }
 
 TEST(LoadedBalls, BallSinksIntoTheDefectByItsDepth) {
-  for (const Defect kind : {Defect::outer, Defect::inner, Defect::roller}) {
-    const double angle = kind == Defect::roller ? pi / 2 : 0;
+  for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
+    const double angle = fault_type == Defect::roller ? pi / 2 : 0;
     const auto balls =
-        contacts({kind, 0.5334}, {.shaft_speed_rpm = 1797, .defect_angle_rad = angle}, 0);
+        contacts({fault_type, 0.5334}, {.shaft_speed_rpm = 1797, .defect_angle_rad = angle}, 0);
     ASSERT_EQ(balls.size(), 5U);  // the first ball below the load is the middle one
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_NEAR(balls[i].delta_m, clearance_m + (i == 2 ? depth_m : 0), 5e-9);
@@ -118,13 +118,13 @@ TEST(LoadedBalls, RotationsGoWhereAnglesGo) {
     Geometry geometry;
     geometry.balls = count;
     geometry.ball_diameter_mm = 5;
-    for (const Defect kind : {Defect::outer, Defect::inner, Defect::roller}) {
+    for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
       const std::array<Motion, 2> motions{
           {{.shaft_speed_rpm = 1797, .slip = 0.01, .cage_angle_rad = 40, .defect_angle_rad = -9},
            {.shaft_speed_rpm = 600, .cage_angle_rad = -3, .defect_angle_rad = 0.1}}};
       const std::array<double, 2> clearances_m{clearance_m, 0};
-      LoadedBalls rotated(geometry, {kind, 0.5}, motions, clearances_m);
-      LoadedBalls set(geometry, {kind, 0.5}, motions, clearances_m);
+      LoadedBalls rotated(geometry, {fault_type, 0.5}, motions, clearances_m);
+      LoadedBalls set(geometry, {fault_type, 0.5}, motions, clearances_m);
       rotated.set(-0.02);
       rotated.set_step(1e-4);
       for (int i = 1; i < 1000; ++i) {

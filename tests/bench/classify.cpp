@@ -101,12 +101,12 @@ void classify(benchmark::State& state, const std::string& name) {
   diagnosis::KeptClassifier classifier = kept(name);
   const Recording recording{.name = "noise",
                             .shaft_speed_rpm = 1800,
-                            .said = "",
+                            .true_class = "",
                             .signal = noise(windows_in_file * length / 10)};
   const double start = bench::processor_seconds();
   while (state.KeepRunning()) {
     const signal::WindowSet windows = windows_of(recording, classifier.info(), length, length);
-    benchmark::DoNotOptimize(classifier.answer(windows));
+    benchmark::DoNotOptimize(classifier.predict(windows));
   }
   const double window_s = (bench::processor_seconds() - start) /
                           static_cast<double>(state.iterations()) /

@@ -51,19 +51,19 @@ double peak_roots_per_s() {
   return chains * courses_at_once * piae::bench::rounds_per_s<double, chains>(round);
 }
 
-std::vector<Course> drawn_courses(Defect kind) {
+std::vector<Course> drawn_courses(Defect fault_type) {
   piae::Stream stream("bench");
   std::vector<Course> courses;
   for (std::size_t i = 0; i < courses_at_once; ++i) {
     const DynamicsOptions drawn = draw_dynamics(stream, options, {});
-    courses.push_back({draw_motion(stream, kind, 1797, {}), drawn});
+    courses.push_back({draw_motion(stream, fault_type, 1797, {}), drawn});
   }
   return courses;
 }
 
 LocalDefect defect_of(const benchmark::State& state) {
-  const auto kind = static_cast<Defect>(state.range(0));
-  return {kind, kind == Defect::none ? 0 : 0.1778};
+  const auto fault_type = static_cast<Defect>(state.range(0));
+  return {fault_type, fault_type == Defect::none ? 0 : 0.1778};
 }
 
 /// Times `solve`, which solves `windows` windows, and returns windows per second. "of_flops" and
@@ -99,7 +99,7 @@ void compare_with_reference(benchmark::State& state, double windows_per_s) {
 /// Solves as many windows as fit at once.
 void solve_side_by_side(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
-  const std::vector<Course> courses = drawn_courses(defect.kind);
+  const std::vector<Course> courses = drawn_courses(defect.fault_type);
   compare_with_reference(
       state, measure(state, courses.size(), [&] { return simulate({}, defect, courses, window); }));
 }
@@ -107,7 +107,7 @@ void solve_side_by_side(benchmark::State& state) {
 /// Solves one window, which takes the time of a full set of lanes.
 void solve_alone(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
-  const Course course = drawn_courses(defect.kind).front();
+  const Course course = drawn_courses(defect.fault_type).front();
   compare_with_reference(state, measure(state, 1, [&] {
                            return simulate({}, defect, course.motion, course.options, window);
                          }));
@@ -115,7 +115,7 @@ void solve_alone(benchmark::State& state) {
 
 void solve_by_reference(benchmark::State& state) {
   const LocalDefect defect = defect_of(state);
-  const Course course = drawn_courses(defect.kind).front();
+  const Course course = drawn_courses(defect.fault_type).front();
   reference_rates[state.range(0)] = measure(state, 1, [&] {
     return reference::simulate({}, defect, course.motion, course.options, window);
   });

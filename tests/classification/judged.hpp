@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "classification/verdict.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::classification {
 
@@ -38,8 +38,8 @@ inline constexpr std::size_t judged_length = 1024;
 /// Returns ten windows of noise, which the toy classifier knows.
 inline signal::WindowSet known_to_toys() {
   Stream stream("toys");
-  signal::WindowSet reference = no_struck_windows(judged_length);
-  add_struck(reference, 0, 10, stream);
+  signal::WindowSet reference = no_impact_windows(judged_length);
+  add_impact_windows(reference, 0, 10, stream);
   return reference;
 }
 
@@ -50,16 +50,17 @@ inline diagnosis::KeptClassifier classifier_of_toys() {
           diagnosis::the_classifier("nearest"),
           std::make_unique<ByFirstSample>(),
           {.temperature = 1, .windows = 10},
-          diagnosis::Strangeness(reference, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4}),
+          diagnosis::Novelty(reference, {0, 0, 1, 1, 2, 2, 3, 3, 4, 4}),
           {}};
 }
 
 /// Returns a recording of consecutive windows: known ones, which begin with 0, 1 or 2; or for -1 a
 /// tone, which is unknown.
 inline Recording recording_of_windows(const std::string& name, const std::vector<int>& windows,
-                                      const std::string& said = "") {
+                                      const std::string& true_class = "") {
   const signal::WindowSet known = known_to_toys();
-  Recording recording{.name = name, .shaft_speed_rpm = 1800, .said = said, .signal = {}};
+  Recording recording{
+      .name = name, .shaft_speed_rpm = 1800, .true_class = true_class, .signal = {}};
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const auto noise = known.window(i % known.size());
     for (std::size_t t = 0; t < judged_length; ++t) {
@@ -73,9 +74,9 @@ inline Recording recording_of_windows(const std::string& name, const std::vector
 }
 
 inline Verdict judged(const std::string& name, const std::vector<int>& windows,
-                      const std::string& said = "") {
+                      const std::string& true_class = "") {
   diagnosis::KeptClassifier classifier = classifier_of_toys();
-  return judge(recording_of_windows(name, windows, said), classifier, judged_length);
+  return judge(recording_of_windows(name, windows, true_class), classifier, judged_length);
 }
 
 }  // namespace piae::classification

@@ -54,8 +54,8 @@ TEST(ClassificationPicture, SaysWhatIsUnknown) {
 TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfTheNamedFault) {
   Recording recording{.name = "struck",
                       .shaft_speed_rpm = 1800,
-                      .said = "",
-                      .signal = struck_recording(12000, 2, strikes_of_classes_hz[1], "struck")};
+                      .true_class = "",
+                      .signal = impact_recording(12000, 2, impacts_of_classes_hz[1], "struck")};
   diagnosis::KeptClassifier classifier = classifier_of_toys();
   Verdict verdict = judge(recording, classifier, judged_length);
   verdict.label = 1;

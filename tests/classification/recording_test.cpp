@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 /// Returns a recording with all samples different.
 Recording counting_recording(std::size_t samples) {
-  Recording recording{.name = "a.csv", .shaft_speed_rpm = 1790, .said = "", .signal = {}};
+  Recording recording{.name = "a.csv", .shaft_speed_rpm = 1790, .true_class = "", .signal = {}};
   for (std::size_t i = 0; i < samples; ++i) recording.signal.push_back(static_cast<double>(i));
   return recording;
 }
@@ -62,7 +62,7 @@ TEST_F(LoneFiles, AreReadAsTheyStand) {
   const Recording recording = read("a.csv", "1\n2.5\n-3\n");
   EXPECT_EQ(recording.name, "a.csv");
   EXPECT_EQ(recording.shaft_speed_rpm, 1790);
-  EXPECT_EQ(recording.said, "");
+  EXPECT_EQ(recording.true_class, "");
   EXPECT_THAT(recording.signal, ElementsAre(1, 2.5, -3));
 }
 
@@ -96,7 +96,7 @@ TEST(DescribedRecord, SaysWhatItIs) {
   record.signal = {1, 2, 3};
   const Recording recording = recording_of(record, three_classes("other"), three_classes());
   EXPECT_EQ(recording.name, "IR-02");
-  EXPECT_EQ(recording.said, "IR");
+  EXPECT_EQ(recording.true_class, "IR");
   EXPECT_EQ(recording.signal, record.signal);
   record.shaft_speed_rpm = 900;
   EXPECT_ERROR(recording_of(record, three_classes("other"), three_classes()), Exit::bad_input,

@@ -36,7 +36,7 @@ Verdict with_line(Verdict verdict, double db, bool stands_out) {
   for (inspection::FaultLine& line : verdict.lines) {
     line.db = 1;
     line.stands_out = false;
-    if (line.kind != signal::Defect::inner) continue;
+    if (line.fault_type != signal::Defect::inner) continue;
     line.db = db;
     line.stands_out = stands_out;
   }
@@ -81,12 +81,13 @@ TEST(ClassificationTable, FitsATerminalHoweverLongNamesAre) {
   signal::DatasetInfo info = three_classes();
   for (const std::size_t length : {1U, 8U, 22U, 100U}) {
     for (signal::ClassInfo& each : info.classes) each.name = std::string(length, 'c');
-    for (const std::string& said : {std::string(), std::string(length, 's')}) {
+    for (const std::string& true_class : {std::string(), std::string(length, 's')}) {
       std::vector<Verdict> verdicts{
-          with_line(judged(std::string(length, 'r') + ".csv", {1, 1, -1}, said), -12.34, false),
-          with_line(judged("b", {0}, said), 112.34, true)};
+          with_line(judged(std::string(length, 'r') + ".csv", {1, 1, -1}, true_class), -12.34,
+                    false),
+          with_line(judged("b", {0}, true_class), 112.34, true)};
       verdicts[0].start_s.resize(9'999'999);
-      EXPECT_THAT(widths_of_lines(table_of(verdicts, info)), Each(Le(80U))) << length << said;
+      EXPECT_THAT(widths_of_lines(table_of(verdicts, info)), Each(Le(80U))) << length << true_class;
     }
   }
 }

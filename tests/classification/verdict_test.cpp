@@ -18,7 +18,7 @@ TEST(Verdict, IsTheClassOfTheGreatestMeanProbability) {
   EXPECT_DOUBLE_EQ(verdict.share, 2.0 / 3);
   EXPECT_EQ(verdict.share_unknown, 0);
   EXPECT_FALSE(verdict.unknown);
-  EXPECT_THAT(verdict.answers.labels, ElementsAre(1, 0, 1));
+  EXPECT_THAT(verdict.predictions.labels, ElementsAre(1, 0, 1));
   EXPECT_THAT(verdict.start_s,
               ElementsAre(0, testing::DoubleEq(1024 / 12000.0), testing::DoubleEq(2048 / 12000.0)));
   EXPECT_EQ(verdict.recording.name, "a");
@@ -60,11 +60,11 @@ TEST(Verdict, HasTheLinesOfTheSpeedOfTheRecording) {
   diagnosis::KeptClassifier classifier = classifier_of_toys();
   const Verdict verdict = judge(recording, classifier, judged_length);
   EXPECT_NEAR(inspection::line_of(verdict.lines, signal::Defect::outer).hz,
-              strikes_of_classes_hz[2] / 2, 1e-9);
+              impacts_of_classes_hz[2] / 2, 1e-9);
   EXPECT_FALSE(verdict.envelope.power.empty());
   // The shown part: 3.5 times the highest line.
   EXPECT_NEAR(static_cast<double>(verdict.envelope.power.size()) * verdict.envelope.bin_hz,
-              3.5 * strikes_of_classes_hz[1] / 2, verdict.envelope.bin_hz);
+              3.5 * impacts_of_classes_hz[1] / 2, verdict.envelope.bin_hz);
 }
 
 }  // namespace

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random.hpp"
 #include "diagnosis/sets.hpp"
+#include "diagnosis/stored.hpp"
 #include "support/errors.hpp"
+#include "support/three_classes.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -46,11 +49,12 @@ TEST(BandPowers, OfAnImpulseAreFlatAndWithoutTheirMean) {
 
 TEST(BandPowers, DoNotTellLevelAndOffset) {
   Stream stream("bands");
-  std::vector<float> quiet(1024);
-  for (float& sample : quiet) sample = static_cast<float>(stream.normal(0, 1));
-  std::vector<float> loud = quiet;
-  for (float& sample : loud) sample = 64 * sample + 100;
-  const BandPowers difference = band_powers(one_window(quiet)) - band_powers(one_window(loud));
+  std::vector<float> low_level(1024);
+  for (float& sample : low_level) sample = static_cast<float>(stream.normal(0, 1));
+  std::vector<float> high_level = low_level;
+  for (float& sample : high_level) sample = 64 * sample + 100;
+  const BandPowers difference =
+      band_powers(one_window(low_level)) - band_powers(one_window(high_level));
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-3);
 }
 
@@ -58,6 +62,73 @@ TEST(BandPowers, NeedTwoBinsABand) {
   EXPECT_EQ(band_powers(one_window(std::vector<float>(256, 1.0F))).rows(), 1);
   EXPECT_ERROR(band_powers(one_window(std::vector<float>(255, 1.0F))), Exit::bad_input,
                "windows of 255 samples: 128 bands need 256 samples or more");
+}
+
+BandPowers random_bands(Eigen::Index rows, const std::string& stream_name) {
+  Stream stream(stream_name);
+  BandPowers bands(rows, number_of_bands);
+  for (Eigen::Index i = 0; i < bands.size(); ++i) bands.data()[i] = stream.normal(0, 3);
+  return bands;
+}
+
+TEST(Neighbours, AreAsFarAsTheSumOfSquaresSays) {
+  const BandPowers known = random_bands(5, "known");
+  const BandPowers tested = random_bands(3, "asked");
+  const Neighbours neighbours(known);
+  EXPECT_EQ(neighbours.known(), known);
+  const Eigen::MatrixXd squares = neighbours.squared_distances(tested);
+  ASSERT_EQ(squares.rows(), 5);
+  ASSERT_EQ(squares.cols(), 3);
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      double sum = 0;
+      for (Eigen::Index band = 0; band < number_of_bands; ++band) {
+        sum += (known(i, band) - tested(j, band)) * (known(i, band) - tested(j, band));
+      }
+      EXPECT_NEAR(squares(i, j), sum, 1e-10 * sum);
+    }
+  }
+}
+
+TEST(Neighbours, AreNeverNearerThanNothing) {
+  const BandPowers known = random_bands(20, "known");
+  const Eigen::MatrixXd squares = Neighbours(known).squared_distances(known);
+  EXPECT_GE(squares.minCoeff(), 0);
+  EXPECT_LT(squares.diagonal().maxCoeff(), 1e-9);
+}
+
+class StoredBands : public testing::Test {
+ protected:
+  StoredBands() {
+    for (Eigen::Index i = 0; i < bands_.size(); ++i)
+      bands_.data()[i] = 0.1 * static_cast<double>(i);
+  }
+  [[nodiscard]] artefact::Reader with_labels(const std::vector<Label>& labels) const {
+    artefact::Writer writer("bands");
+    writer.numbers("/some/labels", labels);
+    return stored(writer, folder_);
+  }
+
+  const Folder folder_;
+  BandPowers bands_{2, number_of_bands};
+};
+
+TEST_F(StoredBands, ComeBackAsTheyWere) {
+  artefact::Writer writer("bands");
+  write_bands(writer, "/some", bands_, {2, 0});
+  const artefact::Reader reader = stored(writer, folder_);
+  EXPECT_EQ(read_labels(reader, "/some", three_classes()), (std::vector<Label>{2, 0}));
+  EXPECT_EQ(read_bands(reader, "/some", 2), bands_);
+  EXPECT_ERROR(read_bands(reader, "/some", 3), Exit::bad_input, "/some/bands");
+}
+
+TEST_F(StoredBands, HaveALabelOfAClassEach) {
+  for (const Label none : {-1, 3}) {
+    EXPECT_ERROR(read_labels(with_labels({0, none}), "/some", three_classes()), Exit::bad_input,
+                 "/some/labels has a label that no class has");
+  }
+  EXPECT_ERROR(read_labels(with_labels({}), "/some", three_classes()), Exit::bad_input,
+               "/some/labels is empty");
 }
 
 }  // namespace

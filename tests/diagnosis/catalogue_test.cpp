@@ -15,7 +15,7 @@ namespace {
 
 TEST(Classifiers, AreThePapersFirstAndTheBarAmongThem) {
   EXPECT_STREQ(classifiers().front().name, scoring::paper_classifier);
-  EXPECT_NE(find_classifier(bar_classifier), nullptr);
+  EXPECT_NE(find_classifier(reference_classifier), nullptr);
 }
 
 // Names are folders next to those of ratios, words of make, and lines of tables.
@@ -34,7 +34,8 @@ TEST(Classifiers, AreTrainedButForTheNearestNeighbourAndTheRules) {
   for (const Classifier& each : classifiers()) {
     const bool is_rule = std::string(each.name).ends_with("-rule");
     EXPECT_EQ(each.rule, is_rule) << each.name;
-    EXPECT_EQ(each.trains(), std::string(each.name) != bar_classifier && !is_rule) << each.name;
+    EXPECT_EQ(each.trains(), std::string(each.name) != reference_classifier && !is_rule)
+        << each.name;
   }
 }
 

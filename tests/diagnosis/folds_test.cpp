@@ -49,12 +49,12 @@ class FoldsOfToys : public testing::Test {
 
 TEST_F(FoldsOfToys, CutHealthyWindowsByTimeAndDealOutTheKnownOnes) {
   const Folds cut = folds();
-  EXPECT_THAT(cut.asked, ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4,  // B
-                                     0, 1, 2, 3, 4, 0, 1,           // C, class 1
-                                     0, 1, 2, 3, 4, 0));            // C, class 2
+  EXPECT_THAT(cut.tested, ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4,  // B
+                                      0, 1, 2, 3, 4, 0, 1,           // C, class 1
+                                      0, 1, 2, 3, 4, 0));            // C, class 2
   EXPECT_TRUE(cut.possible);
-  for (std::size_t i = 0; i < cut.asked.size(); ++i) {
-    EXPECT_THAT(left_out_in(cut, i), ElementsAre(static_cast<std::size_t>(cut.asked[i]))) << i;
+  for (std::size_t i = 0; i < cut.tested.size(); ++i) {
+    EXPECT_THAT(left_out_in(cut, i), ElementsAre(static_cast<std::size_t>(cut.tested[i]))) << i;
   }
 }
 
@@ -79,11 +79,11 @@ TEST_F(FoldsOfToys, NoWindowIsAskedAboutWhereOneMadeOfItIsTrainedOn) {
   const Folds cut = folds(true);
   const WindowSet& generated = generated_;
   const std::vector<std::size_t> first{1, 3, 5, 0, 2, 4};  // of class 1, then of class 2
-  ASSERT_EQ(cut.asked.size(), 23U + 6);
+  ASSERT_EQ(cut.tested.size(), 23U + 6);
   for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(cut.asked[23 + i], Folds::none);
+    EXPECT_EQ(cut.tested[23 + i], Folds::none);
     for (const std::int32_t parent : generated.parents[first[i]]) {
-      const std::int32_t fold = cut.asked[10 + static_cast<std::size_t>(parent)];
+      const std::int32_t fold = cut.tested[10 + static_cast<std::size_t>(parent)];
       EXPECT_TRUE(cut.left_out[23 + i][static_cast<std::size_t>(fold)]) << i;
     }
   }
@@ -98,14 +98,15 @@ TEST_F(FoldsOfToys, OneThatDoesNotSayItsParentsIsTrainedOnInAll) {
   const Folds cut = folds(true);
   for (std::size_t i = 23; i < 29; ++i) {
     EXPECT_THAT(left_out_in(cut, i), ElementsAre());
-    EXPECT_EQ(cut.asked[i], Folds::none);
+    EXPECT_EQ(cut.tested[i], Folds::none);
   }
 }
 
 TEST_F(FoldsOfToys, WhereNothingIsKnownTheGeneratedOnesAreAskedAbout) {
   known_ = empty_set(4);
   const Folds cut = folds(true);
-  EXPECT_THAT(std::vector(cut.asked.begin() + 10, cut.asked.end()), ElementsAre(0, 1, 2, 0, 1, 2));
+  EXPECT_THAT(std::vector(cut.tested.begin() + 10, cut.tested.end()),
+              ElementsAre(0, 1, 2, 0, 1, 2));
   EXPECT_TRUE(cut.possible);
 }
 

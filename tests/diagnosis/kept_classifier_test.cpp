@@ -14,7 +14,7 @@
 #include "diagnosis/training_set.hpp"
 #include "stages/doctor.hpp"
 #include "support/errors.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -26,10 +26,10 @@ class Keep : public testing::Test {
  protected:
   Keep() {
     Stream stream("keep");
-    add_struck(normal_, 0, 20, stream);
-    for (const Label label : {1, 2}) add_struck(known_, label, 5, stream);
-    for (const Label label : {0, 1, 2}) add_struck(asked_, label, 4, stream);
-    for (const Label label : {1, 2}) add_struck(generated_, label, 5, stream, 14);
+    add_impact_windows(normal_, 0, 20, stream);
+    for (const Label label : {1, 2}) add_impact_windows(known_, label, 5, stream);
+    for (const Label label : {0, 1, 2}) add_impact_windows(tested_, label, 4, stream);
+    for (const Label label : {1, 2}) add_impact_windows(generated_, label, 5, stream, 14);
   }
   [[nodiscard]] Lessons lessons(std::int64_t per_class = 0) const {
     return {.normal = normal_,
@@ -70,10 +70,10 @@ class Keep : public testing::Test {
 
   const Folder folder_;
   const WdcnnOptions options_{.epochs = 2, .batch = 8, .learning_rate = 1e-3};
-  WindowSet normal_ = no_struck_windows();
-  WindowSet known_ = no_struck_windows();
-  WindowSet generated_ = no_struck_windows();
-  WindowSet asked_ = no_struck_windows();
+  WindowSet normal_ = no_impact_windows();
+  WindowSet known_ = no_impact_windows();
+  WindowSet generated_ = no_impact_windows();
+  WindowSet tested_ = no_impact_windows();
 };
 
 void expect_almost(const std::vector<float>& all, const std::vector<float>& expected,
@@ -91,19 +91,19 @@ TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
     KeptClassifier after(reader);
     EXPECT_EQ(after.classifier().name, classifier.name);
     EXPECT_EQ(reader.text("/", "input"), classifier.input);
-    const Outputs was = before.uncalibrated(asked_);
-    const Outputs is = after.uncalibrated(asked_);
-    const Answers answered = before.answer(asked_);
-    const Answers answers = after.answer(asked_);
+    const Outputs was = before.uncalibrated(tested_);
+    const Outputs is = after.uncalibrated(tested_);
+    const Predictions answered = before.predict(tested_);
+    const Predictions predictions = after.predict(tested_);
     if (classifier.represent != nullptr) {
       EXPECT_EQ(is.logits, was.logits);
       EXPECT_EQ(is.hidden, was.hidden);
-      EXPECT_EQ(answers.probabilities, answered.probabilities);
+      EXPECT_EQ(predictions.probabilities, answered.probabilities);
     }
     expect_almost(is.scores, was.scores, 1e-6);
-    expect_almost(answers.probabilities, answered.probabilities, 1e-6);
-    EXPECT_EQ(answers.labels, answered.labels);
-    EXPECT_EQ(answers.strangeness, answered.strangeness);
+    expect_almost(predictions.probabilities, answered.probabilities, 1e-6);
+    EXPECT_EQ(predictions.labels, answered.labels);
+    EXPECT_EQ(predictions.novelty, answered.novelty);
   }
 }
 
@@ -139,16 +139,16 @@ TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
   KeptClassifier classifier = kept("envelope-rule");
   const double temperature = classifier.calibration().temperature;
   EXPECT_NE(temperature, 1);
-  const std::vector<float> logits = classifier.uncalibrated(asked_).logits;
-  const Answers answers = classifier.answer(asked_);
-  for (std::size_t i = 0; i < asked_.size(); ++i) {
+  const std::vector<float> logits = classifier.uncalibrated(tested_).logits;
+  const Predictions predictions = classifier.predict(tested_);
+  for (std::size_t i = 0; i < tested_.size(); ++i) {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       sum += std::exp((logits[3 * i + k] - logits[3 * i]) / temperature);
     }
-    EXPECT_NEAR(answers.probabilities[3 * i], 1 / sum, 1e-6);
+    EXPECT_NEAR(predictions.probabilities[3 * i], 1 / sum, 1e-6);
   }
-  EXPECT_EQ(answers.labels, asked_.labels);
+  EXPECT_EQ(predictions.labels, tested_.labels);
 }
 
 // Each fold trains its own classifier with its own random numbers; none of these is kept.
@@ -161,9 +161,9 @@ TEST_F(Keep, TrainsOnceMoreForEachFold) {
 }
 
 TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
-  known_ = no_struck_windows();
+  known_ = no_impact_windows();
   Stream stream("one");
-  for (const Label label : {1, 2}) add_struck(known_, label, 1, stream);
+  for (const Label label : {1, 2}) add_impact_windows(known_, label, 1, stream);
   const KeptClassifier classifier = kept("nearest");
   EXPECT_EQ(classifier.calibration().temperature, 1);
   EXPECT_EQ(classifier.calibration().windows, 0);
@@ -172,13 +172,13 @@ TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
 
 // Nine healthy windows suffice for a rule, but not after two of them are left out.
 TEST_F(Keep, WhereTooFewHealthyWindowsWouldBeLeftTheTemperatureIsOne) {
-  normal_ = no_struck_windows();
+  normal_ = no_impact_windows();
   Stream stream("nine");
-  add_struck(normal_, 0, 9, stream);
+  add_impact_windows(normal_, 0, 9, stream);
   for (const std::string name : {"envelope-rule", "symptom-net"}) {
     EXPECT_EQ(kept(name).calibration().windows, 0) << name;
   }
-  add_struck(normal_, 0, 1, stream);
+  add_impact_windows(normal_, 0, 1, stream);
   EXPECT_EQ(kept("envelope-rule").calibration().windows, 20);
 }
 
@@ -189,21 +189,21 @@ TEST_F(Keep, StrangenessRefersToRealWindows) {
 }
 
 TEST_F(Keep, WhereNoneIsKnownNothingIsStrange) {
-  known_ = no_struck_windows();
+  known_ = no_impact_windows();
   KeptClassifier nearest = kept("nearest", 5);
-  EXPECT_FALSE(nearest.strangeness());
-  EXPECT_EQ(nearest.answer(asked_).strangeness, std::vector<double>(asked_.size(), 0));
-  EXPECT_FALSE(kept("exclusion-rule").strangeness());
+  EXPECT_FALSE(nearest.novelty());
+  EXPECT_EQ(nearest.predict(tested_).novelty, std::vector<double>(tested_.size(), 0));
+  EXPECT_FALSE(kept("exclusion-rule").novelty());
 }
 
 TEST_F(Keep, WhereFaultsAreKnownElsewhereNothingIsStrange) {
-  for (WindowSet* set : {&normal_, &known_, &generated_, &asked_}) {
+  for (WindowSet* set : {&normal_, &known_, &generated_, &tested_}) {
     set->info.conditions = {{.name = "slow", .shaft_speed_rpm = 1800, .test = false},
                             {.name = "fast", .shaft_speed_rpm = 1800, .known = false}};
     set->condition.assign(set->size(), 0);
     set->shaft_speed_rpm.assign(set->size(), 1800);
   }
-  EXPECT_FALSE(kept("nearest", 5).strangeness());
+  EXPECT_FALSE(kept("nearest", 5).novelty());
 }
 
 // These files are whole; only their content is wrong.

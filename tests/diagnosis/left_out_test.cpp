@@ -22,11 +22,11 @@ std::set<float> first_samples_of(const WindowSet& set) {
 /// Records the windows it gets, and returns the first sample as the logit of each class.
 class Listening final : public Trained {
  public:
-  explicit Listening(std::set<float>& asked) : asked_(asked) {}
+  explicit Listening(std::set<float>& tested) : tested_(tested) {}
   Outputs outputs(const WindowSet& windows, const std::string& /*what*/) override {
     Outputs outputs;
     for (std::size_t i = 0; i < windows.size(); ++i) {
-      asked_.insert(windows.window(i)[0]);
+      tested_.insert(windows.window(i)[0]);
       outputs.logits.insert(outputs.logits.end(), 3, windows.window(i)[0]);
     }
     return outputs;
@@ -34,7 +34,7 @@ class Listening final : public Trained {
   void write(artefact::Writer& /*writer*/) const override {}
 
  private:
-  std::set<float>& asked_;
+  std::set<float>& tested_;
 };
 
 TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
@@ -43,29 +43,29 @@ TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
   add(training, 1, 2, 200);
   add(training, 2, 1, 300);
   Folds folds;
-  folds.asked = {0, 1, 1, 0, 4, Folds::none};
-  for (const std::int32_t fold : folds.asked) {
+  folds.tested = {0, 1, 1, 0, 4, Folds::none};
+  for (const std::int32_t fold : folds.tested) {
     folds.left_out.emplace_back(5);
     if (fold != Folds::none) folds.left_out.back()[static_cast<std::size_t>(fold)] = true;
   }
   folds.left_out[5][1] = true;  // made of a window predicted there
   std::vector<std::set<float>> trained(5);
-  std::vector<std::set<float>> asked(5);
-  const LeftOut all = ask_left_out(
+  std::vector<std::set<float>> tested(5);
+  const LeftOut all = judge_left_out(
       training, folds, [&](const WindowSet& normal, const WindowSet& kept, std::int32_t fold) {
         const auto place = static_cast<std::size_t>(fold);
         trained[place] = first_samples_of(kept);
         std::set<float> healthy = trained[place];
         std::erase_if(healthy, [](float first) { return first >= 200; });
         EXPECT_EQ(first_samples_of(normal), healthy);
-        return std::make_unique<Listening>(asked[place]);
+        return std::make_unique<Listening>(tested[place]);
       });
   using Firsts = std::set<float>;
-  EXPECT_EQ(asked[0], (Firsts{100, 200}));
+  EXPECT_EQ(tested[0], (Firsts{100, 200}));
   EXPECT_EQ(trained[0], (Firsts{101, 102, 201, 300}));
-  EXPECT_EQ(asked[1], (Firsts{101, 102}));
+  EXPECT_EQ(tested[1], (Firsts{101, 102}));
   EXPECT_EQ(trained[1], (Firsts{100, 200, 201}));
-  EXPECT_EQ(asked[4], (Firsts{201}));
+  EXPECT_EQ(tested[4], (Firsts{201}));
   EXPECT_EQ(trained[4], (Firsts{100, 101, 102, 200, 300}));
   EXPECT_TRUE(trained[2].empty());  // nothing to predict there
   EXPECT_THAT(all.labels, testing::ElementsAre(0, 1, 0, 0, 1));

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "support/errors.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::diagnosis {
 namespace {
 
 /// Returns classes in another order than the fault types.
-signal::DatasetInfo four_kinds() {
+signal::DatasetInfo four_types() {
   signal::DatasetInfo info = three_classes();
   info.classes = {{"outer", signal::Defect::outer, 0.2},
                   {"Normal", signal::Defect::none, 0},
@@ -29,7 +29,7 @@ std::string named(const signal::DatasetInfo& info, const Findings& findings, Rul
 TEST(Evidence, IsTheExcessOfEachKindAndFiveForHealthy) {
   const Findings findings{.excesses = {1, 2, 3}, .novelty = 0.5};  // inner, ball, outer
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
-    EXPECT_EQ(evidence(four_kinds(), findings, rule), (std::vector<float>{3, 5, 2, 1}));
+    EXPECT_EQ(evidence(four_types(), findings, rule), (std::vector<float>{3, 5, 2, 1}));
     EXPECT_EQ(evidence(three_classes(), findings, rule), (std::vector<float>{5, 1, 3}));
   }
 }
@@ -37,18 +37,18 @@ TEST(Evidence, IsTheExcessOfEachKindAndFiveForHealthy) {
 TEST(Evidence, OfALineAboveFiveNamesItsKindHoweverNew) {
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
     for (const double novelty : {0.1, 9.0}) {
-      EXPECT_EQ(named(four_kinds(), {{5.1, 1, 4}, novelty}, rule), "inner");
-      EXPECT_EQ(named(four_kinds(), {{5.1, 6, 4}, novelty}, rule), "ball");
-      EXPECT_EQ(named(four_kinds(), {{5.1, 6, 40}, novelty}, rule), "outer");
+      EXPECT_EQ(named(four_types(), {{5.1, 1, 4}, novelty}, rule), "inner");
+      EXPECT_EQ(named(four_types(), {{5.1, 6, 4}, novelty}, rule), "ball");
+      EXPECT_EQ(named(four_types(), {{5.1, 6, 40}, novelty}, rule), "outer");
     }
-    EXPECT_EQ(named(four_kinds(), {{4.9, 4.9, 4.9}, 0.99}, rule), "Normal");
+    EXPECT_EQ(named(four_types(), {{4.9, 4.9, 4.9}, 0.99}, rule), "Normal");
   }
 }
 
 TEST(Evidence, OfWhatIsNewWithoutALineIsABallByExclusionAlone) {
   const Findings findings{.excesses = {1, 2, 4}, .novelty = 1.5};
-  EXPECT_EQ(named(four_kinds(), findings, Rule::envelope), "Normal");
-  EXPECT_EQ(evidence(four_kinds(), findings, Rule::exclusion), (std::vector<float>{4, 5, 7.5, 1}));
+  EXPECT_EQ(named(four_types(), findings, Rule::envelope), "Normal");
+  EXPECT_EQ(evidence(four_types(), findings, Rule::exclusion), (std::vector<float>{4, 5, 7.5, 1}));
   // Without a class of ball defects, the highest line gives the fault type.
   EXPECT_EQ(evidence(three_classes(), findings, Rule::exclusion), (std::vector<float>{5, 1, 7.5}));
 }
@@ -58,24 +58,24 @@ TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
   EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
 }
 
-Outputs asked_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test, Rule rule) {
+Outputs judged_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test, Rule rule) {
   return TrainedRule(normal, rule).outputs(test, "--test");
 }
 
 std::vector<Label> named_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
                                  Rule rule) {
-  return most_likely(asked_by_rule(normal, test, rule).scores, 3);
+  return most_likely(judged_by_rule(normal, test, rule).scores, 3);
 }
 
 class Rules : public testing::Test {
  protected:
   Rules() {
     Stream stream("rules");
-    add_struck(normal_, 0, 40, stream);
-    for (const Label label : {0, 1, 2}) add_struck(test_, label, 10, stream);
+    add_impact_windows(normal_, 0, 40, stream);
+    for (const Label label : {0, 1, 2}) add_impact_windows(test_, label, 10, stream);
   }
-  signal::WindowSet normal_ = no_struck_windows();
-  signal::WindowSet test_ = no_struck_windows();
+  signal::WindowSet normal_ = no_impact_windows();
+  signal::WindowSet test_ = no_impact_windows();
 };
 
 TEST_F(Rules, NameTheKindThatIsStruck) {
@@ -85,7 +85,7 @@ TEST_F(Rules, NameTheKindThatIsStruck) {
 }
 
 TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
-  const Outputs answer = asked_by_rule(normal_, test_, Rule::envelope);
+  const Outputs answer = judged_by_rule(normal_, test_, Rule::envelope);
   const std::vector<Label> named = most_likely(answer.scores, 3);
   ASSERT_EQ(answer.scores.size(), 90U);
   for (std::size_t i = 0; i < 30; ++i) {
@@ -109,8 +109,8 @@ void make_duller(signal::WindowSet& set) {
 
 TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
   Stream stream("changed");
-  signal::WindowSet changed = no_struck_windows();
-  add_struck(changed, 0, 10, stream);
+  signal::WindowSet changed = no_impact_windows();
+  add_impact_windows(changed, 0, 10, stream);
   make_duller(changed);
   changed.info.classes[1].defect = signal::Defect::roller;
   EXPECT_EQ(named_by_rule(normal_, changed, Rule::envelope), std::vector<Label>(10, 0));
@@ -120,21 +120,21 @@ TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
 TEST_F(Rules, CompareWindowsOfOneSpeed) {
   // At another speed healthy windows are duller: what is new at one speed is not new at the other.
   Stream stream("speeds");
-  signal::WindowSet dull = no_struck_windows();
-  add_struck(dull, 0, 50, stream);
+  signal::WindowSet dull = no_impact_windows();
+  add_impact_windows(dull, 0, 50, stream);
   make_duller(dull);
-  const auto say_speed = [](signal::WindowSet& set, double speed_rpm) {
+  const auto with_speed = [](signal::WindowSet& set, double speed_rpm) {
     set.condition.assign(set.size(), signal::every_condition);
     set.shaft_speed_rpm.assign(set.size(), speed_rpm);
   };
-  say_speed(normal_, 1800);
-  say_speed(dull, 1200);
+  with_speed(normal_, 1800);
+  with_speed(dull, 1200);
   for (std::size_t i = 0; i < 40; ++i) normal_.append(dull, i);
-  signal::WindowSet asked = no_struck_windows();
-  for (std::size_t i = 40; i < 50; ++i) asked.append(dull, i);
-  EXPECT_EQ(named_by_rule(normal_, asked, Rule::exclusion), std::vector<Label>(10, 0));
-  asked.shaft_speed_rpm.assign(10, 1800);
-  const auto at_the_other = named_by_rule(normal_, asked, Rule::exclusion);
+  signal::WindowSet tested = no_impact_windows();
+  for (std::size_t i = 40; i < 50; ++i) tested.append(dull, i);
+  EXPECT_EQ(named_by_rule(normal_, tested, Rule::exclusion), std::vector<Label>(10, 0));
+  tested.shaft_speed_rpm.assign(10, 1800);
+  const auto at_the_other = named_by_rule(normal_, tested, Rule::exclusion);
   EXPECT_EQ(std::ranges::count(at_the_other, 0), 0);
 }
 

@@ -6,7 +6,7 @@
 
 #include "diagnosis/training_set.hpp"
 #include "support/errors.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -25,14 +25,14 @@ class SymptomRowsOf : public testing::Test {
  protected:
   SymptomRowsOf() {
     Stream stream("inputs");
-    add_struck(normal_, 0, 20, stream);
+    add_impact_windows(normal_, 0, 20, stream);
     training_ = normal_;
-    for (const Label label : {1, 2}) add_struck(training_, label, 10, stream);
-    add_struck(test_, 1, 3, stream);
+    for (const Label label : {1, 2}) add_impact_windows(training_, label, 10, stream);
+    add_impact_windows(test_, 1, 3, stream);
   }
-  signal::WindowSet normal_ = no_struck_windows();
-  signal::WindowSet training_ = no_struck_windows();
-  signal::WindowSet test_ = no_struck_windows();
+  signal::WindowSet normal_ = no_impact_windows();
+  signal::WindowSet training_ = no_impact_windows();
+  signal::WindowSet test_ = no_impact_windows();
 };
 
 TEST_F(SymptomRowsOf, AreStandardisedByTheTrainingWindowsAndClipped) {
@@ -69,14 +69,14 @@ class SymptomRowsAtSpeeds : public testing::Test {
  protected:
   SymptomRowsAtSpeeds() {
     Stream stream("speeds");
-    add_struck(normal_, 0, 20, stream);
+    add_impact_windows(normal_, 0, 20, stream);
     for (signal::WindowSet* const set : {&known_, &generated_}) {
-      for (const Label label : {1, 2}) add_struck(*set, label, 5, stream);
+      for (const Label label : {1, 2}) add_impact_windows(*set, label, 5, stream);
     }
     known_.shaft_speed_rpm.assign(10, 900);
-    heard_at(900, 900);
+    healthy_at(900, 900);
   }
-  void heard_at(double rpm, double other_rpm) {
+  void healthy_at(double rpm, double other_rpm) {
     normal_.shaft_speed_rpm.assign(10, rpm);
     normal_.shaft_speed_rpm.insert(normal_.shaft_speed_rpm.end(), 10, other_rpm);
   }
@@ -88,9 +88,9 @@ class SymptomRowsAtSpeeds : public testing::Test {
     ASSERT_EQ(inputs.training.rows(), 40);
     EXPECT_LT((inputs.training.middleRows(first, 10) - inputs.test).cwiseAbs().maxCoeff(), 1e-12);
   }
-  signal::WindowSet normal_ = no_struck_windows();
-  signal::WindowSet known_ = no_struck_windows();
-  signal::WindowSet generated_ = no_struck_windows();
+  signal::WindowSet normal_ = no_impact_windows();
+  signal::WindowSet known_ = no_impact_windows();
+  signal::WindowSet generated_ = no_impact_windows();
 };
 
 TEST_F(SymptomRowsAtSpeeds, OfKnownWindowsAreMeasuredAtTheirs) { expect_as_tested(known_, 20); }
@@ -100,14 +100,14 @@ TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsAreMeasuredAtWhatTheySayOrAtTheOne
   const signal::WindowSet at_900 = generated_;
   generated_.shaft_speed_rpm.clear();
   expect_as_tested(at_900, 30);
-  heard_at(900, 1200);
+  healthy_at(900, 1200);
   generated_.shaft_speed_rpm = {900, 1200, 900, 1200, 900, 1200, 900, 1200, 900, 1200};
   expect_as_tested(known_, 20);
   expect_as_tested(generated_, 30);
 }
 
 TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsThatMayBeOfSeveralAreRefused) {
-  heard_at(900, 1200);
+  healthy_at(900, 1200);
   const signal::WindowSet training = compose_training_set(normal_, known_, &generated_, 5);
   EXPECT_ERROR(ScaledRows(normal_, training, known_), Exit::bad_input,
                "--generated: the windows do not say at which speed of the shaft they are");

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -13,11 +13,11 @@ class SymptomNetOfToys : public testing::Test {
  protected:
   SymptomNetOfToys() {
     Stream stream("net");
-    add_struck(normal_, 0, 40, stream);
+    add_impact_windows(normal_, 0, 40, stream);
     training_ = normal_;
     // Impacts in training have a higher level, as those of another machine might.
-    for (const Label label : {1, 2}) add_struck(training_, label, 20, stream, 14);
-    for (const Label label : {0, 1, 2}) add_struck(test_, label, 20, stream, 9);
+    for (const Label label : {1, 2}) add_impact_windows(training_, label, 20, stream, 14);
+    for (const Label label : {0, 1, 2}) add_impact_windows(test_, label, 20, stream, 9);
   }
   [[nodiscard]] Learned trained(const std::string& stream) const {
     return train_symptom_net(normal_, training_, Stream(stream));
@@ -25,9 +25,9 @@ class SymptomNetOfToys : public testing::Test {
   [[nodiscard]] Outputs outputs_of(const Learned& learned) const {
     return learned.trained->outputs(test_, "--test");
   }
-  signal::WindowSet normal_ = no_struck_windows();
-  signal::WindowSet training_ = no_struck_windows();
-  signal::WindowSet test_ = no_struck_windows();
+  signal::WindowSet normal_ = no_impact_windows();
+  signal::WindowSet training_ = no_impact_windows();
+  signal::WindowSet test_ = no_impact_windows();
 };
 
 TEST_F(SymptomNetOfToys, LearnsToNameWhatIsStruck) {

@@ -20,7 +20,7 @@ inline WdcnnResult train_and_test(LabelledWindows train, const LabelledWindows& 
                                   const EpochDone& epoch_done = {}) {
   const std::size_t length = train.length;
   TrainedWdcnn trained = train_wdcnn(std::move(train), options, stream, make_backend, epoch_done);
-  Outputs outputs = ask_wdcnn(*trained.network, length, test);
+  Outputs outputs = predict_by_wdcnn(*trained.network, length, test);
   std::vector<Label> predictions = most_likely(outputs.scores, test.classes);
   return {std::move(trained.training), std::move(outputs), std::move(predictions)};
 }

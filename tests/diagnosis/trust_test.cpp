@@ -69,12 +69,10 @@ class TrustByHand : public testing::Test {
             the_classifier("nearest"),
             std::make_unique<Told>(logits),
             {.temperature = temperature, .windows = 9},
-            strangeness(),
+            novelty(),
             {}};
   }
-  [[nodiscard]] Strangeness strangeness() const {
-    return {reference_, {0, 0, 1, 1, 2, 2, 3, 4, 5, 6}};
-  }
+  [[nodiscard]] Novelty novelty() const { return {reference_, {0, 0, 1, 1, 2, 2, 3, 4, 5, 6}}; }
   WindowSet reference_ = empty_set(1024);
   WindowSet test_ = empty_set(1024);
 };
@@ -93,9 +91,9 @@ TEST_F(TrustByHand, IsHowOftenItIsRightAndHowMuchItErrsWhereItSaysSo) {
 
 TEST_F(TrustByHand, CountsWhatIsCalledUnknown) {
   KeptClassifier classifier = kept(1);
-  const std::vector<double> strange = strangeness().of(test_);
-  EXPECT_GT(strange[8], 1);
-  const auto count = std::ranges::count_if(strange, [](double s) { return s > 1; });
+  const std::vector<double> novelties = novelty().of(test_);
+  EXPECT_GT(novelties[8], 1);
+  const auto count = std::ranges::count_if(novelties, [](double s) { return s > 1; });
   EXPECT_LT(count, 9);
   EXPECT_DOUBLE_EQ(trust_in(classifier, test_).called_unknown, static_cast<double>(count) / 9);
 }
@@ -106,17 +104,17 @@ TEST_F(TrustByHand, TellsAClassThatWasNotTrainedFromTheOthers) {
   const Trust trust = trust_in(classifier, test_);
   ASSERT_EQ(trust.untrained.size(), 2U);  // healthy windows are always trained
   for (const Label label : {1, 2}) {
-    const std::vector<double> strange = strangeness().without(label).of(test_);
+    const std::vector<double> novelties = novelty().without(label).of(test_);
     double won = 0;
     double pairs = 0;
     double unknown = 0;
     for (std::size_t i = 0; i < 9; ++i) {
       if (test_.labels[i] != label) continue;
-      unknown += strange[i] > 1 ? 1 : 0;
+      unknown += novelties[i] > 1 ? 1 : 0;
       for (std::size_t j = 0; j < 9; ++j) {
         if (test_.labels[j] == label) continue;
         ++pairs;
-        won += strange[i] > strange[j] ? 1 : 0;
+        won += novelties[i] > novelties[j] ? 1 : 0;
       }
     }
     EXPECT_NEAR(trust.untrained.at(label).auroc, won / pairs, 1e-12);

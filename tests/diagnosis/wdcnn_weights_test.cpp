@@ -53,9 +53,9 @@ TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
 
 TEST_F(StoredWeights, MakeTheSameOfWindowsAsTheNetworkThatLearned) {
   const TrainedWdcnn learned = little_trained();
-  const LabelledWindows asked = tones(25, "asked");  // 75: more than one batch
-  const Outputs before = learned.network->outputs(asked);
-  const Outputs after = wdcnn_of(learned.network->weights())->outputs(asked);
+  const LabelledWindows tested = tones(25, "asked");  // 75: more than one batch
+  const Outputs before = learned.network->outputs(tested);
+  const Outputs after = wdcnn_of(learned.network->weights())->outputs(tested);
   EXPECT_EQ(after.scores, before.scores);
   EXPECT_EQ(after.logits, before.logits);
   EXPECT_EQ(after.hidden, before.hidden);

@@ -41,7 +41,7 @@ double cost_of_rtsne(const Points& points) {
   return number_in<double>(bytes_of(folder / "cost.txt")).value_or(0);
 }
 
-struct BesideRtsne : testing::Test {
+struct AgainstRtsne : testing::Test {
   void SetUp() override {
     if (!succeeds("Rscript -e 'library(Rtsne)' > /dev/null 2>&1")) {
       GTEST_SKIP() << "R's package Rtsne is not installed (apt-get install r-cran-rtsne)";
@@ -49,13 +49,13 @@ struct BesideRtsne : testing::Test {
   }
 };
 
-TEST_F(BesideRtsne, ReachesTheSameDivergenceForClouds) {
+TEST_F(AgainstRtsne, ReachesTheSameDivergenceForClouds) {
   const Points points = three_clouds(300, 10, 5, "points");
   const double expected = cost_of_rtsne(points);
   EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.05 * expected);
 }
 
-TEST_F(BesideRtsne, ReachesTheSameDivergenceForOneCloud) {
+TEST_F(AgainstRtsne, ReachesTheSameDivergenceForOneCloud) {
   const Points points = cloud(400, 20, "points");
   const double expected = cost_of_rtsne(points);
   EXPECT_NEAR(tsne(points).kl_divergence, expected, 0.05 * expected);

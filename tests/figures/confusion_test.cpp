@@ -1,6 +1,6 @@
 #include "figures/confusion.hpp"
 
-#include "figures/told_windows.hpp"
+#include "figures/diagnosed_windows.hpp"
 #include "support/errors.hpp"
 
 namespace piae::figures {
@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-using Confusion = ToldWindows;
+using Confusion = DiagnosedWindows;
 
 TEST_F(Confusion, IsSummedOverTheSeedsAndInPercentOfEachTrueClass) {
   add_two_seeds();
@@ -25,7 +25,7 @@ TEST_F(Confusion, IsSummedOverTheSeedsAndInPercentOfEachTrueClass) {
 
 TEST_F(Confusion, IsThatOfTheMostGeneratedWindowsAndOfNone) {
   add_two_seeds();
-  for (const int seed : {0, 1}) add(told("none", "100to1", 0, seed, {0, 1}, {0, 0}));
+  for (const int seed : {0, 1}) add(record_of("none", "100to1", 0, seed, {0, 1}, {0, 0}));
   Source all = source("none vae", "100to1 10to1 2to1");
   const Numbers numbers = confusions(all);
   EXPECT_THAT(numbers.csv(), Not(HasSubstr("10to1")));
@@ -33,7 +33,7 @@ TEST_F(Confusion, IsThatOfTheMostGeneratedWindowsAndOfNone) {
 }
 
 TEST_F(Confusion, HasNoRowsOfAClassWithoutTestWindows) {
-  add(told("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
+  add(record_of("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
   Source one = source("vae", "2to1", "0");
   EXPECT_THAT(confusions(one).csv(), Not(HasSubstr(",OR,Normal")));
 }
@@ -55,11 +55,11 @@ TEST_F(Confusion, NamesTheDiagnosisThatIsMissing) {
 TEST_F(Confusion, DoesNotSumWhatHasOtherClassesOrAnotherSplit) {
   add_two_seeds();
   Source two = source("vae", "2to1");
-  scoring::DiagnosisRecord other = told("vae", "2to1", 145, 1, {0, 1}, {0, 1});
+  scoring::DiagnosisRecord other = record_of("vae", "2to1", 145, 1, {0, 1}, {0, 1});
   other.info.classes[1].name = "ball";
   add(other);
   EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/wdcnn/diagnosis.h5: its classes");
-  other = told("vae", "2to1", 145, 1, {0, 1}, {0, 1});
+  other = record_of("vae", "2to1", 145, 1, {0, 1}, {0, 1});
   other.protocol = signal::Protocol::blocked;
   add(other);
   EXPECT_ERROR(confusions(two), Exit::bad_input, "seed1/vae/2to1/wdcnn/diagnosis.h5: its classes");

@@ -1,12 +1,12 @@
 #include "figures/missed_faults.hpp"
 
-#include "figures/told_windows.hpp"
+#include "figures/diagnosed_windows.hpp"
 #include "support/errors.hpp"
 
 namespace piae::figures {
 namespace {
 
-using MissedFaults = ToldWindows;
+using MissedFaults = DiagnosedWindows;
 
 TEST_F(MissedFaults, AreThoseTakenForHealthyBySeedAndInTheMean) {
   add_two_seeds();
@@ -30,7 +30,7 @@ TEST_F(MissedFaults, StandBesideHealthyWindowsTakenForAnyFault) {
 }
 
 TEST_F(MissedFaults, HaveNoRowsOfAClassWithoutTestWindows) {
-  add(told("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
+  add(record_of("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
   Source one = source("vae", "2to1", "0");
   EXPECT_EQ(field(missed_faults(one), "vae,0,2to1,fault,OR,mean", 6), "no row");
 }

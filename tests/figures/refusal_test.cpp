@@ -1,12 +1,12 @@
 #include "figures/refusal.hpp"
 
-#include "figures/told_windows.hpp"
+#include "figures/diagnosed_windows.hpp"
 #include "support/errors.hpp"
 
 namespace piae::figures {
 namespace {
 
-class RefusalFigure : public ToldWindows {
+class RefusalFigure : public DiagnosedWindows {
  protected:
   /// Adds four windows by falling score, the last two with the same.
   void add_seed(const std::string& method, const std::string& ratio, int generated, int seed,
@@ -14,7 +14,7 @@ class RefusalFigure : public ToldWindows {
     std::vector<Label> predictions;
     for (const bool is_right : right) predictions.push_back(is_right ? 1 : 2);
     scoring::DiagnosisRecord record =
-        told(method, ratio, generated, seed, {1, 1, 1, 1}, predictions);
+        record_of(method, ratio, generated, seed, {1, 1, 1, 1}, predictions);
     const std::vector<float> scores{0.9F, 0.8F, 0.7F, 0.7F};
     for (std::size_t i = 0; i < 4; ++i) {
       record.scores[3 * i + index_of(predictions[i])] = scores[i];
@@ -45,7 +45,7 @@ TEST_F(RefusalFigure, IsTheMeanOverTheSeedsAtEachPercent) {
 TEST_F(RefusalFigure, HasTheBarAsALevelLine) {
   add_seed("none", "100to1", 0, 0, {true, false, true, false});
   scoring::DiagnosisRecord votes =
-      by("nearest", told("none", "100to1", 0, 0, {1, 1, 1, 1}, {1, 1, 2, 1}));
+      by("nearest", record_of("none", "100to1", 0, 0, {1, 1, 1, 1}, {1, 1, 2, 1}));
   for (std::size_t i = 0; i < 4; ++i) votes.scores[3 * i + index_of(votes.predictions[i])] = 1;
   add(votes);
   Source one = source("none", "100to1", "0");

@@ -1,17 +1,17 @@
 #include "figures/reliability.hpp"
 
-#include "figures/told_windows.hpp"
+#include "figures/diagnosed_windows.hpp"
 #include "support/errors.hpp"
 
 namespace piae::figures {
 namespace {
 
-class ReliabilityFigure : public ToldWindows {
+class ReliabilityFigure : public DiagnosedWindows {
  protected:
   /// Adds two windows, predicted with scores of 0.95 and 0.55.
   void add_seed(int seed, bool first_is_right, bool second_is_right) const {
-    scoring::DiagnosisRecord record =
-        told("vae", "2to1", 145, seed, {1, 2}, {first_is_right ? 1 : 2, second_is_right ? 2 : 1});
+    scoring::DiagnosisRecord record = record_of("vae", "2to1", 145, seed, {1, 2},
+                                                {first_is_right ? 1 : 2, second_is_right ? 2 : 1});
     record.scores = {0.02F, 0.03F, 0.03F, 0.25F, 0.2F, 0.2F};
     record.scores[index_of(record.predictions[0])] = 0.95F;
     record.scores[3 + index_of(record.predictions[1])] = 0.55F;
@@ -55,7 +55,7 @@ TEST_F(ReliabilityFigure, NamesTheDiagnosisThatIsMissing) {
 
 TEST_F(ReliabilityFigure, IsLeftOutForAClassifierThatDoesNotSayHowSureItIs) {
   add_seed(0, true, false);
-  scoring::DiagnosisRecord votes = by("nearest", told("vae", "2to1", 145, 0, {1, 1}, {1, 2}));
+  scoring::DiagnosisRecord votes = by("nearest", record_of("vae", "2to1", 145, 0, {1, 1}, {1, 2}));
   for (std::size_t i = 0; i < 2; ++i) votes.scores[3 * i + index_of(votes.predictions[i])] = 1;
   add(votes);
   Source one = source("vae", "2to1", "0");

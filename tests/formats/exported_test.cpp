@@ -67,7 +67,7 @@ TEST(Facts, SayWhatIsKnownOfEachWindow) {
   EXPECT_THAT(values_of<Numbers>(each, "start_angle_rad"), ElementsAre(0, 1.5, 6.25, 3));
   EXPECT_THAT(values_of<Lists>(each, "parents"),
               ElementsAre(ElementsAre(0, 3), ElementsAre(1), IsEmpty(), ElementsAre(12)));
-  EXPECT_EQ(values_of<Lists>(each, "strikes_s"), four_windows().strikes_s);
+  EXPECT_EQ(values_of<Lists>(each, "strikes_s"), four_windows().impact_times_s);
 }
 
 TEST(Facts, LeaveOutWhatIsNotKnown) {
@@ -77,7 +77,7 @@ TEST(Facts, LeaveOutWhatIsNotKnown) {
   cut.shaft_speed_rpm.clear();
   cut.start_angle_rad.clear();
   cut.parents.clear();
-  cut.strikes_s.clear();
+  cut.impact_times_s.clear();
   cut.record_names = {"a", "b"};
   cut.record = {0, 0, 1, 1};
   cut.first_sample = {0, 100, 5000000000, 200};

@@ -24,7 +24,7 @@ inline signal::WindowSet four_windows() {
   windows.shaft_speed_rpm = {900, 901.5, 900, 900};
   windows.start_angle_rad = {0, 1.5, 6.25, 3};
   windows.parents = {{0, 3}, {1}, {}, {12}};
-  windows.strikes_s = {{0, 1e-05}, {}, {0.0025}, {0.00015}};
+  windows.impact_times_s = {{0, 1e-05}, {}, {0.0025}, {0.00015}};
   return windows;
 }
 

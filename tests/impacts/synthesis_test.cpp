@@ -16,15 +16,15 @@ using Eigen::ArrayXd;
 constexpr Eigen::Index frame_bins = 1025;  // bins of a frame of 2048 samples
 constexpr double frame_rate_hz = 12000;
 
-ArrayXd struck_window(const std::vector<Impact>& impacts) {
-  return window_of(struck_frame(impacts, Eigen::ArrayXcd::Ones(frame_bins), frame_rate_hz),
+ArrayXd impact_window(const std::vector<Impact>& impacts) {
+  return window_of(impact_frame(impacts, Eigen::ArrayXcd::Ones(frame_bins), frame_rate_hz),
                    frame_bins - 1);
 }
 
 TEST(Synthesis, AStructureThatDoesNotRingShowsTheImpactsThemselves) {
   // Impulses of opposite sign, 300 samples into the window and 24 later. The impulse before the
   // window is not in it.
-  const ArrayXd window = struck_window({{.time_s = 500 / frame_rate_hz},
+  const ArrayXd window = impact_window({{.time_s = 500 / frame_rate_hz},
                                         {.time_s = (1024 + 300) / frame_rate_hz,
                                          .strength = 2,
                                          .lag_s = 24 / frame_rate_hz,
@@ -34,17 +34,17 @@ TEST(Synthesis, AStructureThatDoesNotRingShowsTheImpactsThemselves) {
   EXPECT_NEAR(window[324] / window[300], -0.5, 1e-9);
   EXPECT_NEAR(window.square().sum() - window[300] * window[300] - window[324] * window[324], 0,
               1e-9);
-  EXPECT_TRUE(struck_window({}).isZero(0));
+  EXPECT_TRUE(impact_window({}).isZero(0));
 }
 
 TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
   const Edges edges{.lag_s = 1e-3, .exit = 0.8, .spread = 0};
-  ArrayXd answer(frame_bins);
-  for (Eigen::Index i = 0; i < frame_bins; ++i) answer[i] = i < 512 ? 0 : std::log(0.1);
+  ArrayXd response(frame_bins);
+  for (Eigen::Index i = 0; i < frame_bins; ++i) response[i] = i < 512 ? 0 : std::log(0.1);
   spectra::Windows windows(400, 1024);
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
     Stream random("background " + std::to_string(i));
-    const ArrayXd window = noise_window(answer, edges, frame_rate_hz, random);
+    const ArrayXd window = noise_window(response, edges, frame_rate_hz, random);
     EXPECT_NEAR(window.square().mean(), 1, 1e-12);
     windows.row(i) = window.transpose().matrix();
   }

@@ -18,14 +18,14 @@ using Samples = std::vector<double>;
 
 constexpr double rpm = 1797;
 constexpr double rate_hz = 12000;
-constexpr std::array kinds{Defect::outer, Defect::inner, Defect::roller};
+constexpr std::array fault_types{Defect::outer, Defect::inner, Defect::roller};
 
 /// Returns the lines for CWRU's bearing, Geometry's default.
 FaultLines lines_of(const Samples& samples, double rate = rate_hz, double speed_rpm = rpm) {
   return fault_lines(envelope_spectrum(samples, rate, speed_rpm / 60), {}, speed_rpm);
 }
 
-double hz_of(Defect kind) { return line_of(lines_of({}), kind).hz; }
+double hz_of(Defect fault_type) { return line_of(lines_of({}), fault_type).hz; }
 
 /// Worked by hand for Table 1's bearing at 1797 rpm.
 TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
@@ -73,17 +73,17 @@ TEST(FaultLines, OfAKnownModulationHaveTheirClosedForm) {
 }
 
 TEST(FaultLines, OfAStruckResonanceAreTheirOwn) {
-  for (const Defect kind : kinds) {
-    const Samples samples = struck_recording(rate_hz, 6, 0.995 * hz_of(kind), "struck");
+  for (const Defect fault_type : fault_types) {
+    const Samples samples = impact_recording(rate_hz, 6, 0.995 * hz_of(fault_type), "struck");
     const FaultLines lines = lines_of(samples);
     ASSERT_NE(farthest(lines), nullptr);
-    EXPECT_EQ(farthest(lines)->kind, kind);
+    EXPECT_EQ(farthest(lines)->fault_type, fault_type);
     EXPECT_GT(*farthest(lines)->db, 15);
   }
 }
 
 TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
-  const Samples samples = struck_recording(rate_hz, 6, hz_of(Defect::outer), "struck");
+  const Samples samples = impact_recording(rate_hz, 6, hz_of(Defect::outer), "struck");
   for (const double wrong : {0.9, 0.95, 1.05, 1.1, 1.3}) {
     const FaultLine outer = line_of(lines_of(samples, rate_hz, wrong * rpm), Defect::outer);
     ASSERT_TRUE(outer.db);
@@ -93,11 +93,12 @@ TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
 
 /// The strongest place shows the error of the speed, from 2/3 to 3/2.
 TEST(FaultLines, AreFarthestWhereTheyAre) {
-  for (const Defect kind : kinds) {
-    const Samples samples = struck_recording(rate_hz, 6, hz_of(kind), "struck");
+  for (const Defect fault_type : fault_types) {
+    const Samples samples = impact_recording(rate_hz, 6, hz_of(fault_type), "struck");
     for (const double declared : {0.75, 0.9, 0.95, 1.0, 1.05, 1.2, 1.4}) {
-      const FaultLine line = line_of(lines_of(samples, rate_hz, declared * rpm), kind);
-      EXPECT_NEAR(line.farthest_factor * declared, 1, 0.005) << line_name(kind) << ' ' << declared;
+      const FaultLine line = line_of(lines_of(samples, rate_hz, declared * rpm), fault_type);
+      EXPECT_NEAR(line.farthest_factor * declared, 1, 0.005)
+          << line_name(fault_type) << ' ' << declared;
     }
   }
   EXPECT_EQ(line_of(lines_of({}), Defect::inner).farthest_factor, 0);
@@ -106,7 +107,7 @@ TEST(FaultLines, AreFarthestWhereTheyAre) {
 /// The third harmonic of BPFO lies within 1 % of the second of BPFI.
 TEST(FaultLines, CountOneHarmonicOfSomethingElseForLittle) {
   const FaultLine inner = line_of(
-      lines_of(struck_recording(rate_hz, 6, hz_of(Defect::outer), "struck")), Defect::inner);
+      lines_of(impact_recording(rate_hz, 6, hz_of(Defect::outer), "struck")), Defect::inner);
   EXPECT_FALSE(inner.stands_out);
 }
 
@@ -117,7 +118,7 @@ TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
   double highest = 0;
   double noise_db = 0;
   for (int record = 0; record < 400; ++record) {
-    const Samples samples = struck_recording(2000, 10, 0, "white/" + std::to_string(record));
+    const Samples samples = impact_recording(2000, 10, 0, "white/" + std::to_string(record));
     for (const FaultLine& line : lines_of(samples, 2000, 1200)) {
       ASSERT_TRUE(line.db);
       above += *line.db > line.noise_db ? 1 : 0;
@@ -132,11 +133,11 @@ TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
 
 /// 1024 samples hold 2.6 turns, at most 1 in a segment: four impacts.
 TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
-  for (const FaultLine& line : lines_of(struck_recording(rate_hz, 0.085, 107, "short"))) {
+  for (const FaultLine& line : lines_of(impact_recording(rate_hz, 0.085, 107, "short"))) {
     EXPECT_FALSE(line.db);
     EXPECT_FALSE(line.stands_out);
   }
-  for (const FaultLine& line : lines_of(struck_recording(300, 10, 0, "slow"), 300)) {
+  for (const FaultLine& line : lines_of(impact_recording(300, 10, 0, "slow"), 300)) {
     EXPECT_FALSE(line.db);
   }
   EXPECT_TRUE(envelope_spectrum(Samples(3, 1.0), rate_hz, 30).power.empty());
@@ -145,7 +146,7 @@ TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
 
 /// 0.7 s, 21 turns, as in simulated data sets.
 TEST(FaultLines, OfAShortRecordAreMeasuredInShorterSegments) {
-  const Samples samples = struck_recording(rate_hz, 0.7, hz_of(Defect::inner), "short");
+  const Samples samples = impact_recording(rate_hz, 0.7, hz_of(Defect::inner), "short");
   const EnvelopeSpectrum spectrum = envelope_spectrum(samples, rate_hz, rpm / 60);
   EXPECT_GT(spectrum.averages, 3);
   const FaultLine inner = line_of(lines_of(samples), Defect::inner);
@@ -154,10 +155,10 @@ TEST(FaultLines, OfAShortRecordAreMeasuredInShorterSegments) {
 }
 
 TEST(FaultLines, OfATinySignalAreThoseOfALoudOne) {
-  Samples samples = struck_recording(rate_hz, 6, hz_of(Defect::outer), "struck");
-  const double loud = *line_of(lines_of(samples), Defect::outer).db;
+  Samples samples = impact_recording(rate_hz, 6, hz_of(Defect::outer), "struck");
+  const double high_level = *line_of(lines_of(samples), Defect::outer).db;
   for (double& x : samples) x *= 1e-9;
-  EXPECT_NEAR(*line_of(lines_of(samples), Defect::outer).db, loud, 1e-6);
+  EXPECT_NEAR(*line_of(lines_of(samples), Defect::outer).db, high_level, 1e-6);
 }
 
 }  // namespace

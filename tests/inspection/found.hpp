@@ -31,7 +31,7 @@ struct Found {
       record.lines = fault_lines({}, description.info, 1797);
       for (FaultLine& line : record.lines) {
         line.noise_db = 1.6;
-        set(line, line.kind == description.info.class_of(label).defect ? 20 : 1);
+        set(line, line.fault_type == description.info.class_of(label).defect ? 20 : 1);
       }
       check.records.push_back(record);
       check.classes.push_back({label, 1, 200, 0.8, 0.08, ""});

@@ -14,8 +14,8 @@ namespace {
 using std::numbers::pi;
 using Samples = std::vector<double>;
 
-Samples ringing(double strikes_hz = 107, const std::string& name = "impacts") {
-  return struck_recording(12000, 2, strikes_hz, name);
+Samples ringing(double impacts_hz = 107, const std::string& name = "impacts") {
+  return impact_recording(12000, 2, impacts_hz, name);
 }
 
 TEST(LoneSamples, ASpikeIsFoundWithWhatItStandsOutOf) {
@@ -62,8 +62,8 @@ TEST(LoneSamples, AreNotFoundInNoise) {
 }
 
 TEST(LoneSamples, AreNotTheImpactsOfAFault) {
-  for (const double strikes_hz : {1.0, 11.0, 107.0}) {
-    EXPECT_EQ(lone_samples(ringing(strikes_hz)).count, 0U) << strikes_hz;
+  for (const double impacts_hz : {1.0, 11.0, 107.0}) {
+    EXPECT_EQ(lone_samples(ringing(impacts_hz)).count, 0U) << impacts_hz;
   }
 }
 

@@ -27,8 +27,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
 Found drawn() {
   Found found;
   for (RecordCheck& record : found.check.records) {
-    const double strikes_hz = record.source.label == 0 ? 0 : 107;
-    const auto samples = struck_recording(12000, 2, strikes_hz, record.source.name);
+    const double impacts_hz = record.source.label == 0 ? 0 : 107;
+    const auto samples = impact_recording(12000, 2, impacts_hz, record.source.name);
     record.beginning.assign(samples.begin(), samples.begin() + 2400);
     record.envelope = envelope_spectrum(samples, 12000, 1797 / 60.0);
     record.envelope.power.resize(600);

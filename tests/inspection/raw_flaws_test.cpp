@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 using Samples = std::vector<double>;
 
-Samples struck() { return struck_recording(12000, 2, 107, "raw flaws"); }
+Samples struck() { return impact_recording(12000, 2, 107, "raw flaws"); }
 
 /// Rounds samples as a converter of this resolution does.
 Samples quantised(Samples samples, double quantum) {
@@ -108,7 +108,7 @@ TEST(Held, MostOfARecordCountsAsWell) {
 
 TEST(Held, ValuesThatRepeatByChanceDoNot) {
   // Three values on average: one step in four repeats.
-  const Samples coarse = quantised(struck_recording(12000, 10, 0, "coarse"), 0.1);
+  const Samples coarse = quantised(impact_recording(12000, 10, 0, "coarse"), 0.1);
   EXPECT_EQ(held_values(coarse).count, 0U);
   EXPECT_EQ(held_values(struck()).count, 0U);
   Samples twice;

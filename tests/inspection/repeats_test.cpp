@@ -16,7 +16,7 @@ using std::numbers::pi;
 using Samples = std::vector<double>;
 
 Samples vibration(const std::string& name = "impacts") {
-  return struck_recording(12000, 2, 107, name);
+  return impact_recording(12000, 2, 107, name);
 }
 
 /// Copies a stretch within a signal.
@@ -75,7 +75,7 @@ TEST(Repeats, AZeroHasNoSign) {
 TEST(Repeats, AreNotFoundInNoiseOfAnyResolution) {
   for (const double step : {1e-6, 0.01, 0.1, 0.3}) {
     for (int record = 0; record < 5; ++record) {
-      Samples samples = struck_recording(12000, 10, 0, "noise/" + std::to_string(record));
+      Samples samples = impact_recording(12000, 10, 0, "noise/" + std::to_string(record));
       for (double& x : samples) x = step * std::round(x / step);
       EXPECT_EQ(repeats(samples).count, 0U) << step << ' ' << record;
     }

@@ -12,8 +12,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-EnvelopeSpectrum struck_spectrum() {
-  return envelope_spectrum(struck_recording(12000, 2, 107.5, "panel"), 12000, 30);
+EnvelopeSpectrum impact_spectrum() {
+  return envelope_spectrum(impact_recording(12000, 2, 107.5, "panel"), 12000, 30);
 }
 
 std::string panel_of(const EnvelopeSpectrum& spectrum, signal::Defect own) {
@@ -25,7 +25,7 @@ std::string panel_of(const EnvelopeSpectrum& spectrum, signal::Defect own) {
 
 // BPFO, BPFI and 2BSF at 1800 rpm are 107.5, 162.5 and 141.2 Hz.
 TEST(SpectrumPanel, ShowsUpToALittleBehindTheThirdHarmonicOfTheHighestLine) {
-  EnvelopeSpectrum spectrum = struck_spectrum();
+  EnvelopeSpectrum spectrum = impact_spectrum();
   const FaultLines lines = fault_lines(spectrum, three_classes(), 1800);
   keep_shown_part(spectrum, lines, 30);
   EXPECT_NEAR(static_cast<double>(spectrum.power.size()) * spectrum.bin_hz, 3.5 * 162.5,
@@ -36,7 +36,7 @@ TEST(SpectrumPanel, ShowsUpToALittleBehindTheThirdHarmonicOfTheHighestLine) {
 }
 
 TEST(SpectrumPanel, MarksTheLinesAndMakesThoseOfOneDefectThick) {
-  EnvelopeSpectrum spectrum = struck_spectrum();
+  EnvelopeSpectrum spectrum = impact_spectrum();
   keep_shown_part(spectrum, fault_lines(spectrum, three_classes(), 1800), 30);
   const std::string outer = panel_of(spectrum, signal::Defect::outer);
   EXPECT_THAT(outer, HasSubstr("font-weight=\"bold\" fill=\"#222222\">BPFO<"));

@@ -89,7 +89,7 @@ TEST(CutTops, OfOneEndAreNotBlamedOnTheOther) {
 }
 
 TEST(CutTops, OfImpactsAndOfCoarseConvertersAreFound) {
-  const Samples impacts = struck_recording(12000, 2, 107, "cut");
+  const Samples impacts = impact_recording(12000, 2, 107, "cut");
   const Samples cut = clamped(impacts, -0.3, 0.3);
   EXPECT_EQ(cut_tops(cut).on_highest, count_of(cut, 0.3));
   EXPECT_EQ(cut_tops(cut).on_lowest, count_of(cut, -0.3));
@@ -116,11 +116,11 @@ TEST(CutTops, AreNotThoseOfNoiseOfAnyResolution) {
 }
 
 TEST(CutTops, AreNotThoseOfAFaultsImpacts) {
-  for (const double strikes_hz : {20.0, 107.0, 120.0, 162.2}) {
-    const Samples impacts = struck_recording(12000, 2, strikes_hz, "impacts");
-    EXPECT_EQ(cut_tops(impacts).samples(), 0U) << strikes_hz;
+  for (const double impacts_hz : {20.0, 107.0, 120.0, 162.2}) {
+    const Samples impacts = impact_recording(12000, 2, impacts_hz, "impacts");
+    EXPECT_EQ(cut_tops(impacts).samples(), 0U) << impacts_hz;
     for (const double step : {1e-6, 1 / 2048.0, 0.02}) {
-      EXPECT_EQ(cut_tops(rounded(impacts, step)).samples(), 0U) << strikes_hz << ' ' << step;
+      EXPECT_EQ(cut_tops(rounded(impacts, step)).samples(), 0U) << impacts_hz << ' ' << step;
     }
   }
 }

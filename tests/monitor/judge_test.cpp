@@ -27,12 +27,12 @@ std::vector<Decision> judged(const std::string& windows, double every_s) {
 }
 
 TEST(Judge, DecidesAtEveryWindowWhereAsked) {
-  EXPECT_EQ(told(judged("hio", 0)), "0.50 Normal off; 1.00 IR off; 1.50 OR off; ");
+  EXPECT_EQ(text_of(judged("hio", 0)), "0.50 Normal off; 1.00 IR off; 1.50 OR off; ");
 }
 
 TEST(Judge, DecidesEverySoOftenAndAtTheEnd) {
-  EXPECT_EQ(told(judged("hhhhh", 1)), "1.00 Normal off; 2.00 Normal off; 2.50 Normal off; ");
-  EXPECT_EQ(told(judged("hhhhh", 0.7)),
+  EXPECT_EQ(text_of(judged("hhhhh", 1)), "1.00 Normal off; 2.00 Normal off; 2.50 Normal off; ");
+  EXPECT_EQ(text_of(judged("hhhhh", 0.7)),
             "1.00 Normal off; 1.50 Normal off; 2.50 Normal off; ");  // at 1.0, 1.5 (1.4), 2.5 (2.1)
   const auto decisions = judged("hhhhh", 1);
   EXPECT_EQ(decisions[0].windows, 2U);
@@ -48,20 +48,20 @@ TEST(Judge, TellsTheMeanOfTheWindows) {
 }
 
 TEST(Judge, TellsAnAlarmAtOnceAndWhatItIsFor) {
-  EXPECT_EQ(told(judged("hooohhhh", 100)),
+  EXPECT_EQ(text_of(judged("hooohhhh", 100)),
             "2.00 OR raised OR; 3.50 Normal cleared; 4.00 Normal off; ");
-  EXPECT_EQ(told(judged("iii", 100)), "1.50 IR raised IR; ");
-  EXPECT_EQ(told(judged("iiioooo", 2)), "1.50 IR raised IR; 2.00 OR on IR; 3.50 OR on OR; ");
+  EXPECT_EQ(text_of(judged("iii", 100)), "1.50 IR raised IR; ");
+  EXPECT_EQ(text_of(judged("iiioooo", 2)), "1.50 IR raised IR; 2.00 OR on IR; 3.50 OR on OR; ");
 }
 
 TEST(Judge, TakesTheUnknownAndTheSilentForFaulty) {
-  EXPECT_EQ(told(judged("uuu", 100)), "1.50 Normal? raised unknown; ");
-  EXPECT_EQ(told(judged("sss", 100)), "1.50 -? raised unknown; ");
-  EXPECT_EQ(told(judged("uhs", 100)), "1.50 Normal? off; ");
+  EXPECT_EQ(text_of(judged("uuu", 100)), "1.50 Normal? raised unknown; ");
+  EXPECT_EQ(text_of(judged("sss", 100)), "1.50 -? raised unknown; ");
+  EXPECT_EQ(text_of(judged("uhs", 100)), "1.50 Normal? off; ");
 }
 
 TEST(Judge, TellsTheUnknownOfItsOwnWindowsAlone) {
-  EXPECT_EQ(told(judged("uuhhuh", 1)), "1.00 Normal? off; 2.00 Normal off; 3.00 Normal off; ");
+  EXPECT_EQ(text_of(judged("uuhhuh", 1)), "1.00 Normal? off; 2.00 Normal off; 3.00 Normal off; ");
 }
 
 TEST(Judge, CountsWhatItHeard) {

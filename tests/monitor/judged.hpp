@@ -23,7 +23,7 @@ inline const AlarmOptions three_windows{
     .healthy_share = 0.2, .faulty_share = 0.8, .hours_per_false_alarm = 1};
 
 /// Returns "time class state cause; " for each decision, with '?' if it is unknown.
-inline std::string told(const std::vector<Decision>& decisions) {
+inline std::string text_of(const std::vector<Decision>& decisions) {
   std::string text;
   for (const Decision& d : decisions) {
     text += std::to_string(d.time_s).substr(0, 4) + " " +

@@ -15,16 +15,16 @@ namespace {
 constexpr std::size_t window_length = 100;  // a tenth of a second
 
 /// Classifies windows by their mean: above 0 an outer race fault, above 10 unknown, too.
-diagnosis::Answers by_mean(const signal::WindowSet& windows) {
-  diagnosis::Answers answers;
+diagnosis::Predictions by_mean(const signal::WindowSet& windows) {
+  diagnosis::Predictions predictions;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const double mean = signal::mean_of(windows.window(i));
     const Label label = mean > 0 ? 2 : 0;
-    answers.labels.push_back(label);
-    for (Label c = 0; c < 3; ++c) answers.probabilities.push_back(c == label ? 1.0F : 0.0F);
-    answers.strangeness.push_back(mean > 10 ? 1.5 : 0.5);
+    predictions.labels.push_back(label);
+    for (Label c = 0; c < 3; ++c) predictions.probabilities.push_back(c == label ? 1.0F : 0.0F);
+    predictions.novelty.push_back(mean > 10 ? 1.5 : 0.5);
   }
-  return answers;
+  return predictions;
 }
 
 /// Appends `samples` samples of a wave about `level`; its phase continues.
@@ -47,26 +47,27 @@ MonitorOptions options_at(double rate_hz, double every_s = 0) {
   return options;
 }
 
-struct Heard {
+struct Watched {
   std::vector<Decision> decisions;
   std::uint64_t samples = 0;
   std::uint64_t not_finite = 0;
   std::size_t silent = 0;
 };
 
-Heard heard(const std::vector<float>& signal, const MonitorOptions& options, std::size_t piece) {
+Watched watched(const std::vector<float>& signal, const MonitorOptions& options,
+                std::size_t piece) {
   Monitor monitor(rig(), window_length, by_mean, options, "raw");
-  Heard heard;
-  const auto say = [&](const Decision& d) { heard.decisions.push_back(d); };
+  Watched watched;
+  const auto report = [&](const Decision& d) { watched.decisions.push_back(d); };
   const auto bytes = std::as_bytes(std::span(signal));
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
-    monitor.add(bytes.subspan(at, std::min(piece, bytes.size() - at)), say);
+    monitor.add(bytes.subspan(at, std::min(piece, bytes.size() - at)), report);
   }
-  monitor.finish(say);
-  heard.samples = monitor.samples();
-  heard.not_finite = monitor.samples_not_finite();
-  heard.silent = monitor.judge().silent_windows();
-  return heard;
+  monitor.finish(report);
+  watched.samples = monitor.samples();
+  watched.not_finite = monitor.samples_not_finite();
+  watched.silent = monitor.judge().silent_windows();
+  return watched;
 }
 
 TEST(Monitor, SaysTheSameHoweverTheStreamIsCut) {
@@ -79,7 +80,7 @@ TEST(Monitor, SaysTheSameHoweverTheStreamIsCut) {
       "0.60 OR off; 0.70 OR raised OR; 0.80 OR on OR; 0.90 OR on OR; 1.00 OR on OR; "
       "1.10 Normal on OR; 1.20 Normal on OR; ";
   for (const std::size_t piece : {1, 3, 4, 399, 400, 401, 1000, 100000}) {
-    EXPECT_EQ(told(heard(signal, options_at(1000), piece).decisions), expected) << piece;
+    EXPECT_EQ(text_of(watched(signal, options_at(1000), piece).decisions), expected) << piece;
   }
 }
 
@@ -88,7 +89,7 @@ TEST(Monitor, ResamplesAFasterStream) {
   append_wave(fast, -1, 2250, 5000);
   append_wave(fast, 2, 2500, 5000);
   for (const std::size_t piece : {4, 1000, 100000}) {
-    EXPECT_EQ(told(heard(fast, options_at(5000), piece).decisions),
+    EXPECT_EQ(text_of(watched(fast, options_at(5000), piece).decisions),
               "0.10 Normal off; 0.20 Normal off; 0.30 Normal off; 0.40 Normal off; 0.50 OR off; "
               "0.60 OR off; 0.70 OR raised OR; 0.80 OR on OR; 0.90 OR on OR; ")
         << piece;
@@ -103,8 +104,8 @@ TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
   signal.push_back(std::numeric_limits<float>::infinity());
   append_wave(signal, 2, 99);
   for (const std::size_t piece : {4, 7, 4000}) {
-    const Heard all = heard(signal, options_at(1000), piece);
-    EXPECT_EQ(told(all.decisions), "0.10 Normal off; 0.28 OR off; ") << piece;
+    const Watched all = watched(signal, options_at(1000), piece);
+    EXPECT_EQ(text_of(all.decisions), "0.10 Normal off; 0.28 OR off; ") << piece;
     EXPECT_EQ(all.samples, 400U);
     EXPECT_EQ(all.not_finite, 31U);
   }
@@ -119,17 +120,17 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
     signal[2250] = -1e39;
     for (std::size_t i = 4000; i < 4400; ++i) signal[i] = (i / 3) % 2 == 0 ? 3.4e38 : -3.4e38;
     bool finite = true;
-    const auto listen = [&](const signal::WindowSet& windows) {
+    const auto classify_windows = [&](const signal::WindowSet& windows) {
       for (const float x : windows.samples) finite = finite && std::isfinite(x);
       return by_mean(windows);
     };
     MonitorOptions options = options_at(rate_hz);
     options.format = SampleFormat::f64;
-    Monitor monitor(rig(), window_length, listen, options, "raw");
+    Monitor monitor(rig(), window_length, classify_windows, options, "raw");
     std::vector<double> ends_s;
-    const auto say = [&](const Decision& d) { ends_s.push_back(d.time_s); };
-    monitor.add(std::as_bytes(std::span(signal)), say);
-    monitor.finish(say);
+    const auto report = [&](const Decision& d) { ends_s.push_back(d.time_s); };
+    monitor.add(std::as_bytes(std::span(signal)), report);
+    monitor.finish(report);
     EXPECT_TRUE(finite) << rate_hz;
     EXPECT_EQ(monitor.samples_not_finite(), 402U);
     const auto spans_the_gap = [&](double end_s) {
@@ -152,7 +153,7 @@ TEST(Monitor, NoWindowSpansALineThatIsNotANumber) {
   Monitor monitor(rig(), window_length, by_mean, options, "raw");
   std::vector<Decision> decisions;
   monitor.add(std::as_bytes(std::span(text)), [&](const Decision& d) { decisions.push_back(d); });
-  EXPECT_EQ(told(decisions),
+  EXPECT_EQ(text_of(decisions),
             "0.10 Normal off; 0.23 Normal off; 0.33 Normal off; 0.43 Normal off; ");
   EXPECT_EQ(monitor.samples(), 450U);
   EXPECT_EQ(monitor.samples_not_finite(), 1U);
@@ -164,19 +165,19 @@ TEST(Monitor, NoWindowSpansABreak) {
   append_wave(signal, -1, 150);
   Monitor monitor(rig(), window_length, by_mean, options_at(1000), "raw");
   std::vector<Decision> decisions;
-  const auto say = [&](const Decision& d) { decisions.push_back(d); };
-  monitor.add(std::as_bytes(std::span(signal)).first(599), say);
+  const auto report = [&](const Decision& d) { decisions.push_back(d); };
+  monitor.add(std::as_bytes(std::span(signal)).first(599), report);
   EXPECT_EQ(monitor.decoder().waiting(), 3U);
   monitor.skip();
   EXPECT_EQ(monitor.decoder().waiting(), 0U);
-  monitor.add(std::as_bytes(std::span(signal)), say);
-  EXPECT_EQ(told(decisions), "0.10 Normal off; 0.24 Normal off; ");
+  monitor.add(std::as_bytes(std::span(signal)), report);
+  EXPECT_EQ(text_of(decisions), "0.10 Normal off; 0.24 Normal off; ");
 }
 
 TEST(Monitor, ASilentSensorIsNotHealthy) {
   const std::vector<float> dead(400, 0.25F);
-  const Heard all = heard(dead, options_at(1000), 1000);
-  EXPECT_EQ(told(all.decisions),
+  const Watched all = watched(dead, options_at(1000), 1000);
+  EXPECT_EQ(text_of(all.decisions),
             "0.10 -? off; 0.20 -? off; 0.30 -? raised unknown; 0.40 -? on unknown; ");
   EXPECT_EQ(all.silent, 4U);
 }
@@ -184,7 +185,7 @@ TEST(Monitor, ASilentSensorIsNotHealthy) {
 TEST(Monitor, AStrangeWindowIsUnknown) {
   std::vector<float> signal;
   append_wave(signal, 20, 300);
-  EXPECT_EQ(told(heard(signal, options_at(1000), 1000).decisions),
+  EXPECT_EQ(text_of(watched(signal, options_at(1000), 1000).decisions),
             "0.10 OR? off; 0.20 OR? off; 0.30 OR? raised unknown; ");
 }
 
@@ -195,14 +196,14 @@ TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
                        {.name = "slow", .shaft_speed_rpm = 1200}};
   std::vector<double> speeds_rpm;
   std::vector<std::int32_t> conditions;
-  const auto listen = [&](const signal::WindowSet& windows) {
+  const auto classify_windows = [&](const signal::WindowSet& windows) {
     for (std::size_t i = 0; i < windows.size(); ++i) speeds_rpm.push_back(windows.speed_rpm(i));
     conditions.insert(conditions.end(), windows.condition.begin(), windows.condition.end());
     return by_mean(windows);
   };
   MonitorOptions options = options_at(1000);
   options.speed_rpm = 1190;
-  Monitor monitor(slower, window_length, listen, options, "raw");
+  Monitor monitor(slower, window_length, classify_windows, options, "raw");
   std::vector<float> signal;
   append_wave(signal, -1, window_length);
   signal.insert(signal.end(), window_length, 0.25F);  // silent
@@ -215,7 +216,7 @@ TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
 TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {
   std::vector<float> signal;
   for (int i = 0; i < 200; ++i) append_wave(signal, i % 4 == 0 ? 2 : -1, window_length);
-  const auto all = heard(signal, options_at(1000), signal.size() * sizeof(float)).decisions;
+  const auto all = watched(signal, options_at(1000), signal.size() * sizeof(float)).decisions;
   ASSERT_EQ(all.size(), 200U);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].label, i % 4 == 0 ? 2 : 0) << i;
 }

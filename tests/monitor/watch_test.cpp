@@ -15,14 +15,14 @@ namespace piae::monitor {
 namespace {
 
 /// Every window is healthy.
-diagnosis::Answers all_healthy(const signal::WindowSet& windows) {
-  diagnosis::Answers answers;
+diagnosis::Predictions all_healthy(const signal::WindowSet& windows) {
+  diagnosis::Predictions predictions;
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    answers.labels.push_back(0);
-    answers.probabilities.insert(answers.probabilities.end(), {1, 0, 0});
-    answers.strangeness.push_back(0);
+    predictions.labels.push_back(0);
+    predictions.probabilities.insert(predictions.probabilities.end(), {1, 0, 0});
+    predictions.novelty.push_back(0);
   }
-  return answers;
+  return predictions;
 }
 
 struct Watched {

@@ -9,6 +9,7 @@
 #include "support/published_tables.hpp"
 #include "support/stored_run.hpp"
 #include "support/stored_tested_windows.hpp"
+#include "text/escape.hpp"
 
 namespace piae::page {
 namespace {
@@ -26,14 +27,14 @@ class ReportPage : public StoredRun {
  protected:
   ReportPage() : run_(folder_.path() / "run") { write_published_tables(folder_); }
 
-  [[nodiscard]] ReportContents read(const AskedCells& asked = {}) const {
-    return read_report(run_, asked, report::Published(folder_.path()));
+  [[nodiscard]] ReportContents read(const RequestedCells& requested = {}) const {
+    return read_report(run_, requested, report::Published(folder_.path()));
   }
-  [[nodiscard]] std::string page(const AskedCells& asked = {}) const {
-    return report_page(read(asked), {});
+  [[nodiscard]] std::string page(const RequestedCells& requested = {}) const {
+    return report_page(read(requested), {});
   }
-  [[nodiscard]] std::string text(const AskedCells& asked = {}) const {
-    return report_text(read(asked));
+  [[nodiscard]] std::string text(const RequestedCells& requested = {}) const {
+    return report_text(read(requested));
   }
   fs::path write(const std::string& name, const std::string& content) const {
     return folder_.write("run/" + name, content);
@@ -186,17 +187,17 @@ TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
 
 TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
   add_all();
-  const AskedCells asked{
+  const RequestedCells requested{
       .cells = {.methods = {"none vae smote"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1 2"}}};
-  const auto groups = groups_of(read(asked).datasets);
+  const auto groups = groups_of(read(requested).datasets);
   ASSERT_EQ(groups.size(), 1U);
-  EXPECT_EQ(groups[0].state, HoleState::not_begun);
+  EXPECT_EQ(groups[0].state, MissingState::not_started);
   EXPECT_EQ(cells_label(groups[0]), "none, vae and smote; 100:1 and 10:1; seeds 0 to 2");
   // none and vae lack seed 2, smote all three. Scores lack the same seeds, but none has no scores.
   EXPECT_EQ(groups[0].diagnoses, 5U);
   EXPECT_EQ(groups[0].scores, 4U);
   // Other cells in the folder, vae at 2to1, are shown, too.
-  EXPECT_THAT(page(asked), HasSubstr("paper 91.20"));
+  EXPECT_THAT(page(requested), HasSubstr("paper 91.20"));
 }
 
 TEST_F(ReportPage, ADamagedCellIsRefusedByName) {
@@ -212,17 +213,17 @@ TEST_F(ReportPage, TellsFailedFromInterruptedAndRunningSteps) {
   add_baseline();
   write("cwru/seed0/vae/train.log", "command\nstep: begun at 1\nstep: exit 75 after 1.0 s\n");
   write("cwru/seed1/vae/train.log", "command\nstep: begun at 1\n");
-  const AskedCells asked{
+  const RequestedCells requested{
       .cells = {.methods = {"none vae"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1"}}};
-  EXPECT_THAT(page(asked),
+  EXPECT_THAT(page(requested),
               HasSubstr("4 of 6 cells are missing: 2 interrupted and 2 running or killed."));
 }
 
 TEST_F(ReportPage, WithoutRecordingsSaysSo) {
   add_failed("cwru/ingest.log", "ingest: data/cwru/97.mat: no such file");
-  const AskedCells asked{.datasets = {"cwru"},
-                         .cells = {.methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}}};
-  const std::string html = page(asked);
+  const RequestedCells requested{
+      .datasets = {"cwru"}, .cells = {.methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}}};
+  const std::string html = page(requested);
   EXPECT_THAT(html, HasSubstr("data/cwru/97.mat: no such file"));
   EXPECT_THAT(html, HasSubstr("No diagnosis is there yet."));
 }
@@ -336,13 +337,13 @@ TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
 
 TEST_F(ReportPage, ShowsNothingOfWhatIsOutOfDateButItsName) {
   add_all();
-  const AskedCells asked{.leave_out = {"cwru/seed0/vae", "cwru/seed1/vae"}};
-  for (const std::string& shown : {page(asked), text(asked)}) {
+  const RequestedCells requested{.leave_out = {"cwru/seed0/vae", "cwru/seed1/vae"}};
+  for (const std::string& shown : {page(requested), text(requested)}) {
     EXPECT_THAT(shown,
                 HasSubstr("left out, since they are damaged, or of other settings or inputs"));
     EXPECT_THAT(shown, Not(HasSubstr("90.0")));  // the mean of vae at 2to1
   }
-  EXPECT_THAT(text(asked), HasSubstr("All 2 diagnoses"));
+  EXPECT_THAT(text(requested), HasSubstr("All 2 diagnoses"));
 }
 
 TEST_F(ReportPage, AFigureMayHaveSeveralPictures) {
@@ -412,17 +413,17 @@ TEST_F(ReportPage, ShowsSettingsFilesAsTheyAre) {
 TEST_F(ReportPage, ProvenanceNamesBuildAndMachine) {
   add_all();
   const std::string html = page();
-  EXPECT_THAT(html, HasSubstr(escaped(artefact::build_version())));
-  EXPECT_THAT(html, HasSubstr(escaped(artefact::build_libraries())));
-  EXPECT_THAT(html, HasSubstr(escaped(artefact::cpu_settings())));
+  EXPECT_THAT(html, HasSubstr(text::markup_text(artefact::build_version())));
+  EXPECT_THAT(html, HasSubstr(text::markup_text(artefact::build_libraries())));
+  EXPECT_THAT(html, HasSubstr(text::markup_text(artefact::cpu_settings())));
 }
 
 TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
   add_all();
   add_failed("cwru/seed2/vae/train.log", "train: diverged");
-  const AskedCells asked{
+  const RequestedCells requested{
       .cells = {.methods = {"none vae"}, .ratios = {"100to1 10to1 2to1"}, .seeds = {"0 1 2"}}};
-  const std::string markdown = text(asked);
+  const std::string markdown = text(requested);
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(100U)));
   EXPECT_THAT(markdown, HasSubstr("4 of 12 cells are missing: 3 failed and 1 not begun."));

@@ -15,13 +15,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-run::StepLog step(const std::string& file, double begun, double elapsed,
+run::StepLog step(const std::string& file, double started, double elapsed,
                   run::StepEnd end = run::StepEnd::done) {
   const std::filesystem::path path = file;
   return {.file = path,
           .stage = path.stem().string(),
           .end = end,
-          .begun_s = begun,
+          .started_s = started,
           .elapsed_s = elapsed};
 }
 

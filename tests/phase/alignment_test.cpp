@@ -22,8 +22,8 @@ std::vector<double> noise_of(std::size_t samples, const std::string& name) {
 TEST(InferStart, FindsEveryCircularShiftOfAWaveform) {
   const std::vector<double> waveform = noise_of(61, "waveform");
   for (std::size_t start = 0; start < 61; ++start) {
-    const std::vector<double> turned = signal::read(std::span<const double>(waveform), start, 61);
-    EXPECT_EQ(infer_start(waveform, turned), start);
+    const std::vector<double> rotated = signal::read(std::span<const double>(waveform), start, 61);
+    EXPECT_EQ(infer_start(waveform, rotated), start);
   }
 }
 
@@ -57,13 +57,13 @@ std::vector<double> angle_errors(signal::Defect defect) {
   std::vector<std::vector<double>> waveforms;
   std::vector<double> truth;
   for (int i = 0; i < 60; ++i) {
-    StruckWindow window =
-        struck_window(info, label, length, Stream("windows").child(std::to_string(i)));
+    ImpactWindow window =
+        impact_window(info, label, length, Stream("windows").child(std::to_string(i)));
     double mean = 0;
     for (const double x : window.samples) mean += x / length;
     for (double& x : window.samples) x -= mean;
     waveforms.push_back(signal::closed_cycle(window.samples, cycle));
-    truth.push_back(window.strike_angle_rad);
+    truth.push_back(window.impact_angle_rad);
   }
   const Alignment alignment = align(waveforms);
   std::vector<double> errors;

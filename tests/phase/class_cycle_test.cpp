@@ -13,17 +13,17 @@ namespace {
 // 162.21 Hz, BPFO = 9/2 f (1 - d/D) = 107.34 Hz, 2 BSF = f D/d (1 - (d/D)^2) = 141.01 Hz.
 TEST(ClassCycle, StrikesComeAtTheFaultFrequency) {
   signal::DatasetInfo info = bearing_info();
-  EXPECT_NEAR(strike_frequency_hz(info, 1), 162.21, 0.01);
-  EXPECT_NEAR(strike_frequency_hz(info, 2), 107.34, 0.01);
+  EXPECT_NEAR(impact_frequency_hz(info, 1), 162.21, 0.01);
+  EXPECT_NEAR(impact_frequency_hz(info, 2), 107.34, 0.01);
   info.classes[2].defect = signal::Defect::roller;
-  EXPECT_NEAR(strike_frequency_hz(info, 2), 141.01, 0.02);
-  EXPECT_THROW(strike_frequency_hz(info, 0), Error);
+  EXPECT_NEAR(impact_frequency_hz(info, 2), 141.01, 0.02);
+  EXPECT_THROW(impact_frequency_hz(info, 0), Error);
 }
 
 // One impact every 12000 / 107.34 = 111.79 samples: 8 fit in 894.4, 9 would leave only 18 of 1024.
 TEST(ClassCycle, IsThatOfTheFaultFrequency) {
   const signal::Cycle cycle = cycle_of_class(bearing_info(), 2, 1024);
-  EXPECT_EQ(cycle.strikes, 8U);
+  EXPECT_EQ(cycle.impacts, 8U);
   EXPECT_EQ(cycle.samples, 894U);
 }
 

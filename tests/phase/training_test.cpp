@@ -48,8 +48,8 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
   const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), "uncut.h5"));
   for (const int cut : {1, 3, 5, 6, 8}) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
-    int asked = 0;
-    checkpoint.interrupted = [&] { return ++asked == cut; };
+    int calls = 0;
+    checkpoint.interrupted = [&] { return ++calls == cut; };
     EXPECT_THROW(train(checkpoint, "never.h5"), Error) << cut;
     checkpoint.interrupted = [] { return false; };
     EXPECT_EQ(bytes_of(train(checkpoint, "continued.h5")), uncut) << cut;
@@ -96,7 +96,7 @@ TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
   EXPECT_TRUE(windows.parents.empty());  // states are drawn and do not belong to one window
   for (const Label label : {1, 2}) {
     const signal::Cycle cycle = cycle_of_class(bearing_info(), label, 1024);
-    const double step_rad = 2 * std::numbers::pi * static_cast<double>(cycle.strikes) /
+    const double step_rad = 2 * std::numbers::pi * static_cast<double>(cycle.impacts) /
                             static_cast<double>(cycle.samples);
     double largest = 0;
     for (const std::size_t i : windows.indices_of(label)) {
@@ -106,7 +106,7 @@ TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
       // A sample of the cycle lies at a whole number of steps, modulo whole turns: some turn must
       // fit.
       double nearest = 1;
-      for (std::size_t turn = 0; turn < cycle.strikes; ++turn) {
+      for (std::size_t turn = 0; turn < cycle.impacts; ++turn) {
         const double steps = (angle + 2 * std::numbers::pi * static_cast<double>(turn)) / step_rad;
         nearest = std::min(nearest, std::abs(steps - std::round(steps)));
       }

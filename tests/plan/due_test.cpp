@@ -264,7 +264,7 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   SmallRun run;
   run.run();
   const auto figures_step = [&](const Plan& plan) {
-    const std::vector<StepId> ids = plan.asked();
+    const std::vector<StepId> ids = plan.requested();
     return *std::ranges::find_if(
         ids, [&](StepId id) { return name_of(plan.graph().at(id)) == "results/t/real/figures"; });
   };
@@ -296,15 +296,15 @@ TEST(DueNumbersOfFigures, DoNotWaitForCellsThatAreLeftOut) {
   const std::string before = std::exchange(windows, "another");
   run.request.methods = "none piae-dt";  // so that smote's files are held only
   Plan& first = run.plan("all", Stretch::numbers);
-  const StepId id = first.asked().front();
+  const StepId id = first.requested().front();
   EXPECT_EQ(first.judge().of(id).state, State::due);
   run.disk.files["results/t/real/figures/gains.csv"] = {.digest = "1"};
   run.disk.steps[name_of(first.graph().at(id))] = first.judge().made_now(id);
   Plan& second = run.plan("all", Stretch::numbers);
-  EXPECT_EQ(second.judge().of(second.asked().front()).why, "");
+  EXPECT_EQ(second.judge().of(second.requested().front()).why, "");
   windows = before;
   Plan& third = run.plan("all", Stretch::numbers);
-  EXPECT_EQ(third.judge().of(third.asked().front()).why,
+  EXPECT_EQ(third.judge().of(third.requested().front()).why,
             "other cells are left out, since they are out of date");
 }
 
@@ -312,11 +312,11 @@ TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {
   SmallRun run;
   run.run();
   Plan& all = run.plan("all", Stretch::numbers);
-  const StepId id = all.asked().front();
+  const StepId id = all.requested().front();
   const std::string name = name_of(all.graph().at(id));
   run.disk.steps[name] = all.judge().made_now(id);
   Plan& both = run.plan("all figures", Stretch::numbers);
-  EXPECT_EQ(both.judge().of(both.asked().front()).why, "");
+  EXPECT_EQ(both.judge().of(both.requested().front()).why, "");
 }
 
 TEST(Pages, ThatAreThereAreNothingThatARunLacks) {

@@ -37,7 +37,7 @@ class StepsOfARun : public testing::Test {
   Words logs(const std::string& goals) {
     Plan& plan = run_.plan(goals);
     Words logs;
-    for (const StepId id : plan.asked()) {
+    for (const StepId id : plan.requested()) {
       logs.push_back(name_of(plan.graph().at(id)).substr(std::string("results/").size()));
     }
     return logs;
@@ -325,12 +325,12 @@ TEST_F(StepsOfARun, OfAnIdentificationLeaveOutModelsThatAreOutOfDate) {
 
 TEST_F(StepsOfARun, OfSeveralGoalsAreThoseOfEach) {
   run_.request.goals = {"records"};
-  Request asked = run_.request;
-  asked.goals = {"records", "cells", "results/t/real/seed0/smote/1to1/wdcnn/features.h5"};
+  Request requested = run_.request;
+  requested.goals = {"records", "cells", "results/t/real/seed0/smote/1to1/wdcnn/features.h5"};
   run_.experiment = read_experiment(run_.pipeline.path());
-  Plan plan(run_.experiment, choose(run_.experiment, asked), Stretch::grid, run_.disk);
+  Plan plan(run_.experiment, choose(run_.experiment, requested), Stretch::grid, run_.disk);
   std::map<std::string, int> counts;
-  for (const StepId id : plan.asked()) ++counts[plan.graph().at(id).log];
+  for (const StepId id : plan.requested()) ++counts[plan.graph().at(id).log];
   EXPECT_EQ(counts["ingest"], 1);
   EXPECT_EQ(counts["features"], 1);
   EXPECT_EQ(counts["tabulate"], 0);

@@ -25,7 +25,8 @@ class FilesThatAreAskedFor : public testing::Test {
   [[nodiscard]] std::vector<std::string> steps_of(const std::string& files, Stretch stretch) {
     const Plan& plan = run_.plan(files, stretch);
     std::vector<std::string> names;
-    for (const StepId id : plan.asked()) names.push_back(below_run(name_of(plan.graph().at(id))));
+    for (const StepId id : plan.requested())
+      names.push_back(below_run(name_of(plan.graph().at(id))));
     return names;
   }
 

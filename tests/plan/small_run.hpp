@@ -82,10 +82,10 @@ class SmallRun {
 
   /// Makes a new plan for the goals.
   Plan& plan(const std::string& goals = "all", Stretch stretch = Stretch::grid) {
-    Request asked = request;
-    asked.goals = words_in(goals);
+    Request requested = request;
+    requested.goals = words_in(goals);
     experiment = read_experiment(pipeline.path());
-    current = std::make_unique<Plan>(experiment, choose(experiment, asked), stretch, disk);
+    current = std::make_unique<Plan>(experiment, choose(experiment, requested), stretch, disk);
     return *current;
   }
 
@@ -126,9 +126,10 @@ class SmallRun {
 
   /// Returns why the step with this log is to be run; empty if it is not.
   std::string why(const std::string& log, const std::string& goals = "all") {
-    Plan& asked = plan(goals);
-    for (const StepId id : asked.asked()) {
-      if (name_of(asked.graph().at(id)) == "results/t/" + log) return asked.judge().of(id).why;
+    Plan& requested = plan(goals);
+    for (const StepId id : requested.requested()) {
+      if (name_of(requested.graph().at(id)) == "results/t/" + log)
+        return requested.judge().of(id).why;
     }
     return "there is no step " + log;
   }

@@ -22,17 +22,19 @@ AccuracyRow by(const std::string& classifier, AccuracyRow row) {
   return row;
 }
 
-AccuracyRow bar() { return by("nearest", row_with("none", "100to1", {99, 98, 99, 98, 99})); }
+AccuracyRow reference_row() {
+  return by("nearest", row_with("none", "100to1", {99, 98, 99, 98, 99}));
+}
 
-std::vector<AccuracyRow> five_seeds_and_bar() {
+std::vector<AccuracyRow> five_seeds_and_reference() {
   std::vector<AccuracyRow> rows = five_seeds();
-  rows.push_back(bar());
+  rows.push_back(reference_row());
   return rows;
 }
 
 /// Two methods by the paper's classifier and by another classifier.
 std::vector<AccuracyRow> two_classifiers() {
-  std::vector<AccuracyRow> rows = five_seeds_and_bar();
+  std::vector<AccuracyRow> rows = five_seeds_and_reference();
   for (const AccuracyRow& row : five_seeds()) {
     AccuracyRow other = by("wdcnn-spectrum", row);
     for (double& value : other.values) value = 100 - value / 10;
@@ -50,24 +52,24 @@ std::vector<std::string> classifiers_of(const std::vector<ClassifierRows>& block
 
 TEST(ClassifierRows, HaveTheBarBesideThem) {
   EXPECT_THAT(classifiers_of(by_classifier(five_seeds())), ElementsAre("wdcnn"));
-  EXPECT_FALSE(by_classifier(five_seeds()).front().bar);
+  EXPECT_FALSE(by_classifier(five_seeds()).front().reference_row);
   const auto blocks = by_classifier(two_classifiers());
   EXPECT_THAT(classifiers_of(blocks), ElementsAre("wdcnn", "wdcnn-spectrum"));
   for (const ClassifierRows& block : blocks) {
     EXPECT_EQ(block.rows.size(), 5U);
-    ASSERT_TRUE(block.bar);
-    EXPECT_EQ(block.bar->values, bar().values);
+    ASSERT_TRUE(block.reference_row);
+    EXPECT_EQ(block.reference_row->values, reference_row().values);
   }
 }
 
 TEST(ClassifierRows, OfTheBarAreTablesWhereThereIsMoreOfItOrNothingElse) {
-  EXPECT_THAT(classifiers_of(by_classifier({bar()})), ElementsAre("nearest"));
-  std::vector<AccuracyRow> rows = five_seeds_and_bar();
+  EXPECT_THAT(classifiers_of(by_classifier({reference_row()})), ElementsAre("nearest"));
+  std::vector<AccuracyRow> rows = five_seeds_and_reference();
   rows.push_back(by("nearest", row_with("shift", "10to1", {99, 99, 99, 99, 99})));
   const auto blocks = by_classifier(rows);
   EXPECT_THAT(classifiers_of(blocks), ElementsAre("wdcnn", "nearest"));
-  EXPECT_TRUE(blocks[0].bar);
-  EXPECT_FALSE(blocks[1].bar);
+  EXPECT_TRUE(blocks[0].reference_row);
+  EXPECT_FALSE(blocks[1].reference_row);
 }
 
 // Gains, tests and ranks stay within a classifier.
@@ -117,7 +119,7 @@ std::string sections_text(const std::vector<AccuracyRow>& rows) {
 }
 
 TEST(ClassifierRows, OfEveryTableOfAccuraciesHaveTheBar) {
-  const std::string text = sections_text(five_seeds_and_bar());
+  const std::string text = sections_text(five_seeds_and_reference());
   EXPECT_THAT(text, HasSubstr("| none by nearest | 98.60 |       |              |\n"));
   EXPECT_THAT(text, HasSubstr("| run           |           here |     by nearest |\n"));
   EXPECT_THAT(text, HasSubstr("| 2, seed 1     |          70.00 |          98.00 |\n"));
@@ -140,7 +142,7 @@ Document tables_of(const std::vector<AccuracyRow>& rows) {
 }
 
 TEST(ClassifierRows, OfSeveralHaveTheNameOfTheirsInEachTitle) {
-  for (const Section& section : tables_of(five_seeds_and_bar()).sections) {
+  for (const Section& section : tables_of(five_seeds_and_reference()).sections) {
     EXPECT_THAT(section.title, Not(HasSubstr(", by "))) << section.title;
   }
   std::vector<std::string> titles;
@@ -160,18 +162,18 @@ TEST(ClassifierRows, OfSeveralHaveTheNameOfTheirsInEachTitle) {
 }
 
 TEST(ClassifierRows, OfTheBarAreSaidInTheVerdict) {
-  const auto said = verdict({}, five_seeds_and_bar());
-  ASSERT_FALSE(said.empty());
-  EXPECT_EQ(said.front(), verdict({}, five_seeds()).front());
-  EXPECT_THAT(said.back(), HasSubstr("The classifier nearest, "));
-  EXPECT_THAT(said.back(), HasSubstr("98.6 % of the test windows with the known windows alone."));
-  EXPECT_THAT(verdict({}, {bar()}), IsEmpty());
+  const auto shown = verdict({}, five_seeds_and_reference());
+  ASSERT_FALSE(shown.empty());
+  EXPECT_EQ(shown.front(), verdict({}, five_seeds()).front());
+  EXPECT_THAT(shown.back(), HasSubstr("The classifier nearest, "));
+  EXPECT_THAT(shown.back(), HasSubstr("98.6 % of the test windows with the known windows alone."));
+  EXPECT_THAT(verdict({}, {reference_row()}), IsEmpty());
 }
 
 TEST(ClassifierRows, OfSeveralAreTablesOfTheSummary) {
   const run::Grid grid{
       .dataset = "cwru", .scored = {}, .combinations = {}, .seeds = {0, 1, 2, 3, 4}};
-  const std::string one = summary_text(grid, {}, five_seeds_and_bar());
+  const std::string one = summary_text(grid, {}, five_seeds_and_reference());
   EXPECT_THAT(one, HasSubstr("\nnone by nearest   98.6"));
   EXPECT_THAT(one, Not(HasSubstr("\nby wdcnn")));
   const std::string two = summary_text(grid, {}, two_classifiers());

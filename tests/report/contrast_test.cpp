@@ -90,10 +90,10 @@ class ContrastOfRuns : public StoredRun {
     std::filesystem::copy(folder_.path() / "run", folder_.path() / "other",
                           std::filesystem::copy_options::recursive);
   }
-  [[nodiscard]] Contrast read(const run::GridOptions& asked,
+  [[nodiscard]] Contrast read(const run::GridOptions& requested,
                               const std::vector<std::string>& leave_out = {}) const {
-    return read_contrast({folder_.path() / "run" / "cwru", (other_.folder() / "").string()}, asked,
-                         leave_out);
+    return read_contrast({folder_.path() / "run" / "cwru", (other_.folder() / "").string()},
+                         requested, leave_out);
   }
   const run::Layout other_{folder_.path() / "other", "cwru"};
   const run::GridOptions all_{"", {"none vae"}, {"100to1 10to1 2to1"}, {"0 1"}};

@@ -27,8 +27,9 @@ class DecisionsTable : public StoredRun {
     std::fill_n(places_.record.begin() + 20, 10, 1);
   }
   /// By vote, recognises the first `right` windows of class 1 and all of class 2.
-  [[nodiscard]] scoring::DiagnosisRecord told(const std::string& method, const std::string& ratio,
-                                              int generated, int seed, int right) const {
+  [[nodiscard]] scoring::DiagnosisRecord record_of(const std::string& method,
+                                                   const std::string& ratio, int generated,
+                                                   int seed, int right) const {
     scoring::DiagnosisRecord record = diagnosis(method, ratio, generated, seed, 0);
     record.labels = labels_;
     record.predictions.assign(30, 2);
@@ -39,9 +40,9 @@ class DecisionsTable : public StoredRun {
   }
   void add_two_seeds() const {
     for (const int seed : {0, 1}) {
-      add(told("none", "100to1", 0, seed, seed == 0 ? 0 : 12));
-      add(told("vae", "10to1", 45, seed, 4));
-      add(told("vae", "2to1", 145, seed, 18));
+      add(record_of("none", "100to1", 0, seed, seed == 0 ? 0 : 12));
+      add(record_of("vae", "10to1", 45, seed, 4));
+      add(record_of("vae", "2to1", 145, seed, 18));
       save_tested_windows(layout_, "cwru", seed, labels_, places_);
     }
   }
@@ -99,7 +100,7 @@ TEST_F(DecisionsTable, ShowsEachMethodWithTheMostWindowsAndADashWhereNothingIsDe
 }
 
 TEST_F(DecisionsTable, SaysNothingOfNeighboursWithTheBlockedSplit) {
-  scoring::DiagnosisRecord record = told("none", "100to1", 0, 0, 12);
+  scoring::DiagnosisRecord record = record_of("none", "100to1", 0, 0, 12);
   record.protocol = signal::Protocol::blocked;
   add(record);
   save_tested_windows(layout_, "cwru", 0, labels_, places_);
@@ -109,8 +110,8 @@ TEST_F(DecisionsTable, SaysNothingOfNeighboursWithTheBlockedSplit) {
 TEST_F(DecisionsTable, IsOfEachClassifierWithTheBarBesideIt) {
   add_two_seeds();
   for (const int seed : {0, 1}) {
-    add(by("nearest", told("none", "100to1", 0, seed, 20)));
-    add(by("wdcnn-spectrum", told("none", "100to1", 0, seed, 12)));
+    add(by("nearest", record_of("none", "100to1", 0, seed, 20)));
+    add(by("wdcnn-spectrum", record_of("none", "100to1", 0, seed, 12)));
   }
   const std::string shown = text();
   EXPECT_THAT(shown, HasSubstr("| none by nearest     | 100:1        | 100.00 ± 0.00 |"));

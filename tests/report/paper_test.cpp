@@ -42,30 +42,30 @@ TEST(Groups, AreNeverEmpty) {
 }
 
 /// Returns the words that a place adds to a section: after its title and before its note.
-std::string said_by(const Place& place) {
+std::string text_of(const Place& place) {
   const Section section = place.of({"key", "T", "N", text::Table({}, 0)});
   return section.title + "|" + section.note;
 }
 
 TEST(References, OfThePapersOwnDatasets) {
   const PaperReference cwru("cwru");
-  EXPECT_EQ(said_by(cwru.table(&PaperDataset::baseline_table)), "T (the paper's Table 6)|N");
-  EXPECT_EQ(said_by(cwru.table(&PaperDataset::methods_table)), "T (the paper's Table 8)|N");
-  EXPECT_EQ(said_by(cwru.table(&PaperDataset::ablation_table)), "T (the paper's Table 10)|N");
-  EXPECT_EQ(said_by(cwru.figure(&PaperDataset::methods_quality_figure)),
+  EXPECT_EQ(text_of(cwru.table(&PaperDataset::baseline_table)), "T (the paper's Table 6)|N");
+  EXPECT_EQ(text_of(cwru.table(&PaperDataset::methods_table)), "T (the paper's Table 8)|N");
+  EXPECT_EQ(text_of(cwru.table(&PaperDataset::ablation_table)), "T (the paper's Table 10)|N");
+  EXPECT_EQ(text_of(cwru.figure(&PaperDataset::methods_quality_figure)),
             "T (the paper's Fig. 13)|N");
-  EXPECT_EQ(said_by(cwru.figure(&PaperDataset::ablation_quality_figure)),
+  EXPECT_EQ(text_of(cwru.figure(&PaperDataset::ablation_quality_figure)),
             "T (the paper's Fig. 16)|N");
-  EXPECT_EQ(said_by(cwru.figure(15)), "T (the paper's Fig. 15)|N");
-  EXPECT_EQ(said_by(cwru.none()), "T|N");
+  EXPECT_EQ(text_of(cwru.figure(15)), "T (the paper's Fig. 15)|N");
+  EXPECT_EQ(text_of(cwru.none()), "T|N");
   EXPECT_EQ(cwru.label(), "paper");
   const PaperReference hfhp("hfhp");
-  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::baseline_table)), "T (the paper's Table 7)|N");
-  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::methods_table)), "T (the paper's Table 9)|N");
-  EXPECT_EQ(said_by(hfhp.table(&PaperDataset::ablation_table)), "T (the paper's Table 11)|N");
-  EXPECT_EQ(said_by(hfhp.figure(&PaperDataset::methods_quality_figure)),
+  EXPECT_EQ(text_of(hfhp.table(&PaperDataset::baseline_table)), "T (the paper's Table 7)|N");
+  EXPECT_EQ(text_of(hfhp.table(&PaperDataset::methods_table)), "T (the paper's Table 9)|N");
+  EXPECT_EQ(text_of(hfhp.table(&PaperDataset::ablation_table)), "T (the paper's Table 11)|N");
+  EXPECT_EQ(text_of(hfhp.figure(&PaperDataset::methods_quality_figure)),
             "T (the paper's Fig. 14)|N");
-  EXPECT_EQ(said_by(hfhp.figure(&PaperDataset::ablation_quality_figure)),
+  EXPECT_EQ(text_of(hfhp.figure(&PaperDataset::ablation_quality_figure)),
             "T (the paper's Fig. 17)|N");
   EXPECT_EQ(hfhp.label(), "paper");
 }
@@ -73,11 +73,11 @@ TEST(References, OfThePapersOwnDatasets) {
 // A title is one line of at most 100 characters, so longer words go into the note.
 TEST(References, OfAStandInSaySo) {
   const PaperReference hit_sm("hit-sm");
-  EXPECT_EQ(said_by(hit_sm.table(&PaperDataset::methods_table)),
+  EXPECT_EQ(text_of(hit_sm.table(&PaperDataset::methods_table)),
             "T|In the place of the paper's Table 9; hit-sm stands in for HFHP. N");
-  EXPECT_EQ(said_by(hit_sm.figure(18)),
+  EXPECT_EQ(text_of(hit_sm.figure(18)),
             "T|In the place of the paper's Fig. 18; hit-sm stands in for HFHP. N");
-  EXPECT_EQ(said_by(hit_sm.none()), "T|hit-sm stands in for HFHP. N");
+  EXPECT_EQ(text_of(hit_sm.none()), "T|hit-sm stands in for HFHP. N");
   EXPECT_EQ(hit_sm.none().of({"key", "T", "", text::Table({}, 0)}).note,
             "hit-sm stands in for HFHP.");
   EXPECT_EQ(hit_sm.label(), "paper, HFHP");
@@ -88,10 +88,10 @@ TEST(References, OfAStandInSaySo) {
 TEST(References, AreNotMadeForOtherDatasets) {
   const PaperReference simulated("simulated");
   EXPECT_EQ(simulated.beside(), std::nullopt);
-  EXPECT_EQ(said_by(simulated.table(&PaperDataset::methods_table)), "T|N");
-  EXPECT_EQ(said_by(simulated.figure(&PaperDataset::methods_quality_figure)), "T|N");
-  EXPECT_EQ(said_by(simulated.figure(15)), "T|N");
-  EXPECT_EQ(said_by(simulated.none()), "T|N");
+  EXPECT_EQ(text_of(simulated.table(&PaperDataset::methods_table)), "T|N");
+  EXPECT_EQ(text_of(simulated.figure(&PaperDataset::methods_quality_figure)), "T|N");
+  EXPECT_EQ(text_of(simulated.figure(15)), "T|N");
+  EXPECT_EQ(text_of(simulated.none()), "T|N");
 }
 
 }  // namespace

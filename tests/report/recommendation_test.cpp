@@ -37,7 +37,7 @@ TEST(Recommendation, IsTheBestWhereWhatTakesLessIsSignificantlyWorse) {
   const Recommendation of = recommended(seven_seeds(worse));
   EXPECT_EQ(of.compared, 3U);
   EXPECT_THAT(methods_by_effort(of), ElementsAre("none/wdcnn", "shift/wdcnn", "vae/wdcnn"));
-  EXPECT_TRUE(of.can_tell);
+  EXPECT_TRUE(of.can_decide);
   EXPECT_EQ(of.best, 2U);
   EXPECT_EQ(of.taken, 2U);
   EXPECT_THAT(of.by_effort[0].behind->p_holm, Optional(DoubleEq(0.03125)));
@@ -60,15 +60,15 @@ TEST(Recommendation, OfTooFewSeedsIsTheBestAndSaysThatTheyCannotTell) {
     rows.push_back(row_with(row.method, row.ratio, {row.values.begin(), row.values.end() - 1}));
   }
   const Recommendation of_six = recommended(rows);
-  EXPECT_FALSE(of_six.can_tell);
+  EXPECT_FALSE(of_six.can_decide);
   EXPECT_EQ(of_six.recommended().row.method, "vae");
-  EXPECT_EQ(of_six.seeds_to_tell(), 7U);
+  EXPECT_EQ(of_six.seeds_to_decide(), 7U);
   // One seed cannot be tested.
   const Recommendation of_one =
       recommended({row_with("none", "100to1", {70}), row_with("shift", "2to1", {90})});
-  EXPECT_FALSE(of_one.can_tell);
+  EXPECT_FALSE(of_one.can_decide);
   EXPECT_EQ(of_one.recommended().row.method, "shift");
-  EXPECT_EQ(of_one.seeds_to_tell(), 6U);
+  EXPECT_EQ(of_one.seeds_to_decide(), 6U);
 }
 
 TEST(Recommendation, OfEquallyAccurateOnesIsThatWhichTakesLeast) {
@@ -90,7 +90,7 @@ TEST(Recommendation, AsksTheMostAccurateOfEachEffortAlone) {
   }
   const Recommendation of = recommended(rows);
   EXPECT_EQ(of.compared, 6U);
-  EXPECT_TRUE(of.can_tell);
+  EXPECT_TRUE(of.can_decide);
   EXPECT_THAT(of.by_effort[1].behind->p_holm, Optional(DoubleEq(0.03125)));
   EXPECT_EQ(of.by_effort[1].row.method, "shift");
 }

@@ -58,13 +58,13 @@ TEST(RecommendationSentences, SayThatFewSeedsCannotTell) {
 }
 
 TEST(RecommendationSentences, SayThatNoneTakesLess) {
-  const auto said = recommendation_sentences(
+  const auto shown = recommendation_sentences(
       recommended({by_classifier_of("nearest", row_with("none", "100to1", {98, 98})),
                    by_classifier_of("nearest", row_with("shift", "2to1", {90, 95}))}));
-  EXPECT_THAT(said[0], HasSubstr(": none by nearest, right in 98.0 %"));
-  EXPECT_THAT(said[0], EndsWith("(2 seeds), without any generated window."));
-  EXPECT_EQ(said[1], "It is the most accurate of the 2 that were compared, and none takes less.");
-  EXPECT_EQ(said[2],
+  EXPECT_THAT(shown[0], HasSubstr(": none by nearest, right in 98.0 %"));
+  EXPECT_THAT(shown[0], EndsWith("(2 seeds), without any generated window."));
+  EXPECT_EQ(shown[1], "It is the most accurate of the 2 that were compared, and none takes less.");
+  EXPECT_EQ(shown[2],
             "It costs nothing beforehand: no window is generated, and nothing is trained.");
   EXPECT_THAT(recommendation_sentences(recommended({row_with("none", "100to1", {70})})),
               testing::Contains("Nothing else was compared."));

@@ -103,7 +103,7 @@ TEST_F(Tables, OfConditionsHaveTheKindOfDefectBesideTheClass) {
               HasSubstr("95 % interval         kind %\n"
                         "none    100:1          0      2  85.00 ± 14.14              –  100.00 ± "
                         "0.00\n"));
-  EXPECT_EQ(rows(none)[0].kind->mean, 100);
+  EXPECT_EQ(rows(none)[0].type_accuracy->mean, 100);
 }
 
 TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {

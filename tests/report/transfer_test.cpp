@@ -63,7 +63,7 @@ TEST(TransferGroup, AveragesOverTheDatasetsSeedBySeed) {
   EXPECT_THAT(group.seeds, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(group.own()->mean.row.values, ElementsAre(80, 80, 80, 80, 80));
   EXPECT_THAT(group.own()->datasets[1].row.values, ElementsAre(70, 90, 80, 75, 85));
-  EXPECT_THAT(group.bar()->mean.row.values, ElementsAre(81, 82, 77, 76, 75));
+  EXPECT_THAT(group.reference_row()->mean.row.values, ElementsAre(81, 82, 77, 76, 75));
   EXPECT_EQ(group.own()->mean.row.summary.deviation, 0);
   const AccuracyRow none = group.recorded().front()->mean.row;
   EXPECT_THAT(none.values, ElementsAre(79, 78, 77, 76, 75));
@@ -134,14 +134,14 @@ TEST(TransferGroup, IsShownToPeople) {
 /// By fault type every method has 100 and 90 on the datasets, mean 95; none by wdcnn has 100.
 TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
   std::vector<DatasetRows> datasets = two_datasets();
-  datasets[0].kinds = datasets[0].rows;
-  for (AccuracyRow& row : datasets[0].kinds) std::ranges::fill(row.values, 100);
-  EXPECT_FALSE(transfer_group(choices, datasets).own()->mean.kind.has_value());
-  datasets[1].kinds = datasets[1].rows;
-  for (AccuracyRow& row : datasets[1].kinds) std::ranges::fill(row.values, 90);
-  std::ranges::fill(datasets[1].kinds.front().values, 100);
+  datasets[0].types = datasets[0].rows;
+  for (AccuracyRow& row : datasets[0].types) std::ranges::fill(row.values, 100);
+  EXPECT_FALSE(transfer_group(choices, datasets).own()->mean.type_accuracy.has_value());
+  datasets[1].types = datasets[1].rows;
+  for (AccuracyRow& row : datasets[1].types) std::ranges::fill(row.values, 90);
+  std::ranges::fill(datasets[1].types.front().values, 100);
   const TransferGroup group = transfer_group(choices, datasets);
-  EXPECT_EQ(group.own()->mean.kind->summary.mean, 95);
+  EXPECT_EQ(group.own()->mean.type_accuracy->summary.mean, 95);
   EXPECT_THAT(transfer_csv(group),
               HasSubstr("mean,,shift,method,wdcnn,1,1,1to1,0,81.0000,,,,95.0000,,,,1,1\n"));
   const std::string text = markdown(transfer_document(group));
@@ -153,13 +153,13 @@ TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
 
 TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
   std::vector<DatasetRows> datasets = two_datasets();
-  for (DatasetRows& each : datasets) each.kinds = each.rows;
+  for (DatasetRows& each : datasets) each.types = each.rows;
   GroupChoices both = choices;
-  both.kind_inputs = choices.inputs;
-  both.kind_inputs.front().classifier = "wdcnn-spectra";
+  both.type_inputs = choices.inputs;
+  both.type_inputs.front().classifier = "wdcnn-spectra";
   const TransferGroup group = transfer_group(both, datasets);
   EXPECT_EQ(group.recorded().front()->classifier, "wdcnn");
-  EXPECT_EQ(group.recorded(Question::by_kind).front()->classifier, "wdcnn-spectra");
+  EXPECT_EQ(group.recorded(Question::by_type).front()->classifier, "wdcnn-spectra");
   const std::string text = markdown(transfer_document(group));
   EXPECT_THAT(text, HasSubstr("| none             | wdcnn-spectra |  79.00 ± 0.00 |"));
   EXPECT_THAT(text, HasSubstr("but chosen for telling kinds."));
@@ -201,7 +201,7 @@ TEST(TransferGroup, IsAtMost100Wide) {
       }
     }
     datasets.push_back(dataset_of(name, rows));
-    datasets.back().kinds = datasets.back().rows;
+    datasets.back().types = datasets.back().rows;
   }
   std::istringstream lines(markdown(transfer_document(transfer_group(choices, datasets))));
   for (std::string line; std::getline(lines, line);) {
@@ -271,9 +271,9 @@ TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {
   refused("--inputs: names an input of none twice");
   options_.inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must have wdcnn-spectra, which --inputs names for none");
-  options_.kind_inputs = {"none=wdcnn"};
+  options_.type_inputs = {"none=wdcnn"};
   refused("--kind-inputs: must name an input of each method that --inputs names one of");
-  options_.kind_inputs = {"none=wdcnn-spectra"};
+  options_.type_inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must have wdcnn-spectra, which --kind-inputs names for none");
   options_.inputs = {"none=cnn"};
   refused("'none=cnn' names no classifier that is trained");

@@ -4,8 +4,8 @@
 
 #include "diagnosis/learn.hpp"
 #include "support/errors.hpp"
+#include "support/impact_windows.hpp"
 #include "support/stored_run.hpp"
-#include "support/struck_windows.hpp"
 
 namespace piae::report {
 namespace {
@@ -37,15 +37,14 @@ class TrustTable : public StoredRun {
   void keep(const std::string& method, const std::string& classifier, std::int64_t seed,
             const diagnosis::Trust& trust, double temperature, std::int64_t said_seed = -1) const {
     Stream stream("kept");
-    signal::WindowSet windows = no_struck_windows(256);
+    signal::WindowSet windows = no_impact_windows(256);
     windows.info = three_classes(dataset_);
-    for (const Label label : {0, 1, 2}) add_struck(windows, label, 2, stream);
+    for (const Label label : {0, 1, 2}) add_impact_windows(windows, label, 2, stream);
     const diagnosis::Classifier& entry = diagnosis::the_classifier("nearest");
     const diagnosis::KeptClassifier kept(
         windows.info, windows.length, entry,
         diagnosis::learn(entry, windows, windows, {}, stream, nullptr).trained,
-        {.temperature = temperature, .windows = 6},
-        diagnosis::Strangeness(windows, {0, 1, 2, 3, 4, 5}),
+        {.temperature = temperature, .windows = 6}, diagnosis::Novelty(windows, {0, 1, 2, 3, 4, 5}),
         {.method = method,
          .ratio = "100to1",
          .generated_per_class = 0,

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "run/begun.hpp"
 #include "run/held.hpp"
+#include "run/started.hpp"
 #include "support/errors.hpp"
 #include "support/stored_run.hpp"
 
@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const Grid& grid) {
   return names;
 }
 
-GridOptions asked_by(const std::vector<std::string>& classifiers) {
+GridOptions requested_by(const std::vector<std::string>& classifiers) {
   return {.dataset = "cwru",
           .methods = {"none vae"},
           .ratios = {"100to1 10to1"},
@@ -35,37 +35,39 @@ GridOptions asked_by(const std::vector<std::string>& classifiers) {
 }
 
 TEST(GridOfClassifiers, IsThePapersAloneWhereNoneIsNamed) {
-  EXPECT_THAT(names_of(resolve(asked_by({}))), ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn"));
+  EXPECT_THAT(names_of(resolve(requested_by({}))),
+              ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn"));
 }
 
 TEST(GridOfClassifiers, HasTheBarOfTheBaselineWhateverIsNamed) {
-  EXPECT_THAT(names_of(resolve(asked_by({"wdcnn"}))),
+  EXPECT_THAT(names_of(resolve(requested_by({"wdcnn"}))),
               ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "none 100to1 nearest"));
-  EXPECT_THAT(names_of(resolve(asked_by({"nearest wdcnn-spectra"}))),
+  EXPECT_THAT(names_of(resolve(requested_by({"nearest wdcnn-spectra"}))),
               ElementsAre("none 100to1 nearest", "vae 10to1 nearest", "none 100to1 wdcnn-spectra",
                           "vae 10to1 wdcnn-spectra"));
-  GridOptions generated = asked_by({"wdcnn"});
+  GridOptions generated = requested_by({"wdcnn"});
   generated.methods = {"vae"};
   EXPECT_THAT(names_of(resolve(generated)), ElementsAre("vae 10to1 wdcnn"));
 }
 
 TEST(GridOfClassifiers, RefusesNamesThatNoneHas) {
-  EXPECT_ERROR(resolve(asked_by({"svm"})), Exit::usage, "unknown classifier 'svm'");
-  EXPECT_ERROR(resolve(asked_by({"wdcnn", "wdcnn"})), Exit::usage,
+  EXPECT_ERROR(resolve(requested_by({"svm"})), Exit::usage, "unknown classifier 'svm'");
+  EXPECT_ERROR(resolve(requested_by({"wdcnn", "wdcnn"})), Exit::usage,
                "--classifiers names wdcnn twice");
 }
 
 TEST(GridOfClassifiers, HasThoseOfOneAlone) {
-  EXPECT_THAT(names_of(of_classifier(resolve(asked_by({"wdcnn"})), "nearest")),
+  EXPECT_THAT(names_of(of_classifier(resolve(requested_by({"wdcnn"})), "nearest")),
               ElementsAre("none 100to1 nearest"));
 }
 
 class CellsOfClassifiers : public StoredRun {
  protected:
-  [[nodiscard]] Collected collected(const Grid& asked, Classifiers which = Classifiers::all) const {
-    return collect_held_diagnoses(layout_, asked, Held(layout_), which);
+  [[nodiscard]] Collected collected(const Grid& requested,
+                                    Classifiers which = Classifiers::all) const {
+    return collect_held_diagnoses(layout_, requested, Held(layout_), which);
   }
-  void add_bar() const {
+  void add_reference() const {
     for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
   }
 };
@@ -79,7 +81,7 @@ TEST_F(CellsOfClassifiers, LieInAFolderForEach) {
 
 TEST_F(CellsOfClassifiers, AreFoundThoughNobodyAsksForThem) {
   add_all();
-  add_bar();
+  add_reference();
   add(by("wdcnn-spectrum", diagnosis("vae", "2to1", 145, 1, 20)));
   const Collected all = collected(grid("none", "100to1", "0"));
   EXPECT_THAT(names_of(all.grid),
@@ -94,7 +96,7 @@ TEST_F(CellsOfClassifiers, AreFoundThoughNobodyAsksForThem) {
 
 TEST_F(CellsOfClassifiers, AreNamedWhereTheyAreMissing) {
   add_all();
-  const Results results = collected(resolve(asked_by({"wdcnn"}))).results;
+  const Results results = collected(resolve(requested_by({"wdcnn"}))).results;
   EXPECT_THAT(results.problems,
               ElementsAre(HasSubstr("method none by nearest, ratio 100to1, seed 0: "),
                           HasSubstr("method none by nearest, ratio 100to1, seed 1: ")));
@@ -121,15 +123,16 @@ TEST_F(CellsOfClassifiers, AreMissingForTheStepThatLeftNoResult) {
 
 TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
   add_all();
-  const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 3U);
+  const GridOptions nothing_requested{
+      .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
+  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 3U);
   // The baseline's own cell does not add such cells to other methods.
-  add_bar();
+  add_reference();
   EXPECT_THAT(
-      names_of(resolve_begun(layout_, nothing_said)),
+      names_of(resolve_started(layout_, nothing_requested)),
       ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "vae 2to1 wdcnn", "none 100to1 nearest"));
   add(by("wdcnn-spectrum", diagnosis("vae", "2to1", 145, 1, 20)));
-  EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)),
+  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
               ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "vae 2to1 wdcnn",
                           "none 100to1 wdcnn-spectrum", "vae 10to1 wdcnn-spectrum",
                           "vae 2to1 wdcnn-spectrum", "none 100to1 nearest"));
@@ -138,19 +141,22 @@ TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
 TEST_F(CellsOfClassifiers, AreNotBegunWhereTheClassifierAloneIsKept) {
   add_all();
   folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/classifier.h5", "");
-  const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 3U);
+  const GridOptions nothing_requested{
+      .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
+  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 3U);
   folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/diagnose.log", "");
-  EXPECT_EQ(names_of(resolve_begun(layout_, nothing_said)).size(), 7U);
+  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 7U);
 }
 
 /// Without known faults a run may have only rules and symptom-net.
 TEST_F(CellsOfClassifiers, ThatAreBegunNeedNotBeOfThePapers) {
   add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
-  const GridOptions nothing_said{.dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)), ElementsAre("vae 2to1 symptom-net"));
+  const GridOptions nothing_requested{
+      .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
+  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
+              ElementsAre("vae 2to1 symptom-net"));
   folder_.write("run/cwru/seed1/vae/2to1/wdcnn/diagnose.log", "");
-  EXPECT_THAT(names_of(resolve_begun(layout_, nothing_said)),
+  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
               ElementsAre("vae 2to1 wdcnn", "vae 2to1 symptom-net"));
 }
 

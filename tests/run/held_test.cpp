@@ -15,8 +15,8 @@ using Strings = std::vector<std::string>;
 
 class HeldCells : public StoredRun {
  protected:
-  [[nodiscard]] Collected collected(const Grid& asked, const Strings& leave_out = {}) const {
-    return collect_held(layout_, asked, Held(layout_, leave_out));
+  [[nodiscard]] Collected collected(const Grid& requested, const Strings& leave_out = {}) const {
+    return collect_held(layout_, requested, Held(layout_, leave_out));
   }
   /// Names each diagnosis that was read: "vae 2to1 0".
   [[nodiscard]] static Strings names(const Results& results) {
@@ -166,9 +166,9 @@ class HeldModels : public StoredRun {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file) << "x";
   }
-  [[nodiscard]] Strings models(const Grid& asked) const {
+  [[nodiscard]] Strings models(const Grid& requested) const {
     Strings names;
-    for (const CellName& model : held_models(layout_, asked, Held(layout_))) {
+    for (const CellName& model : held_models(layout_, requested, Held(layout_))) {
       names.push_back(model.method + " " + std::to_string(model.seed));
     }
     return names;

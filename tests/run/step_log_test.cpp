@@ -10,8 +10,8 @@ namespace {
 
 using testing::DoubleNear;
 
-std::string log_text(double begun, const std::string& lines) {
-  return "build/bin/train --seed 0\nstep: begun at " + std::to_string(begun) + "\n" + lines;
+std::string log_text(double started, const std::string& lines) {
+  return "build/bin/train --seed 0\nstep: begun at " + std::to_string(started) + "\n" + lines;
 }
 
 TEST(StepLogs, SaysWhatTheStepTook) {
@@ -22,7 +22,7 @@ TEST(StepLogs, SaysWhatTheStepTook) {
                             "processor time and 153 MB of memory\nstep: exit 0 after 12.3 s\n")));
   EXPECT_EQ(log.stage, "train");
   EXPECT_EQ(log.end, StepEnd::done);
-  EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(1763800000.25, 1e-6)));
+  EXPECT_THAT(log.started_s, testing::Optional(DoubleNear(1763800000.25, 1e-6)));
   EXPECT_EQ(log.elapsed_s, 12.3);
   EXPECT_EQ(log.processor_s, 11.93);
   EXPECT_EQ(log.memory_mb, 153);
@@ -42,7 +42,7 @@ TEST(StepLogs, BeginsWhenItsPlaceInAQueueHasCome) {
   const Folder folder;
   const auto log = read_step_log(
       folder.write("train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
-  EXPECT_THAT(log.begun_s, testing::Optional(DoubleNear(120.5, 1e-6)));
+  EXPECT_THAT(log.started_s, testing::Optional(DoubleNear(120.5, 1e-6)));
   EXPECT_EQ(log.elapsed_s, 0.6);
 }
 

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "scoring/mmd.hpp"
 #include "scoring/sets.hpp"
 #include "support/fault_windows.hpp"
@@ -111,7 +111,7 @@ signal::WindowSet of_two_speeds(double faster_by) {
   for (int i = 0; i < 8; ++i) {
     const double rpm = i % 2 == 0 ? 600 : 1200;
     const double line_hz =
-        faster_by * bearing::strike_frequency_hz(set.info.bearing, bearing::Defect::outer, rpm);
+        faster_by * bearing::impact_frequency_hz(set.info.bearing, bearing::Defect::outer, rpm);
     Stream random("window " + std::to_string(i));
     for (std::size_t t = 0; t < set.length; ++t) {
       const double time_s = static_cast<double>(t) / set.info.sample_rate_hz;

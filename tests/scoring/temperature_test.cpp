@@ -25,7 +25,7 @@ TEST(Tempered, OfLogitsFarApartIsFinite) {
 }
 
 /// Windows of two classes with the classifier's logits.
-struct Said {
+struct Judged {
   std::vector<float> logits;
   std::vector<Label> labels;
 
@@ -41,8 +41,8 @@ struct Said {
 };
 
 /// Returns windows of which three of four are predicted correctly in both classes.
-Said right_three_times_of_four(int quarters, double logit) {
-  Said said;
+Judged right_three_times_of_four(int quarters, double logit) {
+  Judged said;
   for (const Label named : {0, 1}) {
     said.add(3 * quarters, named, named, logit);
     said.add(quarters, named, 1 - named, logit);
@@ -54,7 +54,7 @@ Said right_three_times_of_four(int quarters, double logit) {
 // windows the probability (n + 1) / (n + 2) hardly matters.
 TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
   for (const double factor : {0.25, 1.0, 2.0, 10.0}) {
-    const Said said = right_three_times_of_four(10000, factor * std::log(3.0));
+    const Judged said = right_three_times_of_four(10000, factor * std::log(3.0));
     EXPECT_NEAR(said.temperature(), factor, 1e-3 * factor) << factor;
   }
 }
@@ -63,7 +63,7 @@ TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
 // divided by the temperature is ln(n + 1).
 TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
   for (const int each : {4, 50}) {
-    Said said;
+    Judged said;
     said.add(each, 0, 0, 6);
     said.add(each, 1, 1, 6);
     EXPECT_NEAR(said.temperature(), 6 / std::log(2.0 * each + 1), 2e-3) << each;
@@ -74,7 +74,7 @@ TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
 // many windows it has.
 TEST(BestTemperature, GivesEachClassTheSameWeight) {
   const auto with_so_many_of_class_1 = [](int count) {
-    Said said;
+    Judged said;
     said.add(30000, 0, 0, 2);
     said.add(10000, 1, 0, 2);
     said.add(count, 1, 1, 2);
@@ -87,11 +87,11 @@ TEST(BestTemperature, GivesEachClassTheSameWeight) {
 
 // Wrong logits need an infinite temperature, and underconfident ones a temperature near 0.
 TEST(BestTemperature, StaysBetweenAFiftiethAndFifty) {
-  Said wrong;
+  Judged wrong;
   wrong.add(10, 0, 1, 5);
   wrong.add(10, 1, 0, 5);
   EXPECT_NEAR(wrong.temperature(), 50, 0.1);
-  Said timid;
+  Judged timid;
   timid.add(10, 0, 0, 1e-6);
   timid.add(10, 1, 1, 1e-6);
   EXPECT_NEAR(timid.temperature(), 0.02, 1e-4);

@@ -13,11 +13,11 @@ namespace {
 // An impact every 12000 / 107.34 = 111.79 samples: 8 in 894.4; 9 would leave only 18 of 1024.
 TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
   const Cycle cycle = *cycle_of(12000 / 107.34, 1024);
-  EXPECT_EQ(cycle.strikes, 8U);
+  EXPECT_EQ(cycle.impacts, 8U);
   EXPECT_EQ(cycle.samples, 894U);
-  EXPECT_EQ(cycle.offset_of_strike(0), 0U);
-  EXPECT_EQ(cycle.offset_of_strike(1), 112U);
-  EXPECT_EQ(cycle.offset_of_strike(4), 447U);
+  EXPECT_EQ(cycle.offset_of_impact(0), 0U);
+  EXPECT_EQ(cycle.offset_of_impact(1), 112U);
+  EXPECT_EQ(cycle.offset_of_impact(4), 447U);
   EXPECT_EQ(cycle.period(), 111.75);
   EXPECT_NEAR(cycle.angle_rad(447), 0, 1e-12);
   EXPECT_NEAR(cycle.angle_rad(1), 2 * std::numbers::pi * 8 / 894, 1e-12);

@@ -162,26 +162,26 @@ TEST(WindowSet, OfCutAndGeneratedWindowsKeepsWhatAllHave) {
 
 TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
   const Folder folder;
-  const auto struck = [&](const std::vector<std::vector<double>>& strikes_s) {
+  const auto struck = [&](const std::vector<std::vector<double>>& impact_times_s) {
     WindowSet set = generated_set();
-    set.strikes_s = strikes_s;
+    set.impact_times_s = impact_times_s;
     return load_set(save(folder, set));
   };
   const WindowSet some = generated_set();
   const double end_s = static_cast<double>(some.length) / some.info.sample_rate_hz;
-  std::vector<std::vector<double>> strikes_s(some.size());
-  strikes_s[0] = {0, 0.25 * end_s, 0.5 * end_s};
-  strikes_s.back().push_back(0.9 * end_s);
-  EXPECT_EQ(struck(strikes_s).strikes_s, strikes_s);
-  strikes_s[0] = {0.5 * end_s, 0.25 * end_s};
-  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
-  strikes_s[0] = {end_s};
-  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
-  strikes_s[0] = {-0.1 * end_s};
-  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/time_s holds a strike");
-  strikes_s[0] = {0};
-  strikes_s.push_back({0});
-  EXPECT_ERROR(struck(strikes_s), Exit::bad_input, "/strikes/window does not name windows");
+  std::vector<std::vector<double>> impact_times_s(some.size());
+  impact_times_s[0] = {0, 0.25 * end_s, 0.5 * end_s};
+  impact_times_s.back().push_back(0.9 * end_s);
+  EXPECT_EQ(struck(impact_times_s).impact_times_s, impact_times_s);
+  impact_times_s[0] = {0.5 * end_s, 0.25 * end_s};
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  impact_times_s[0] = {end_s};
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  impact_times_s[0] = {-0.1 * end_s};
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  impact_times_s[0] = {0};
+  impact_times_s.push_back({0});
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/window does not name windows");
 }
 
 /// Returns the cut set as if made from two known windows, from one and from none.

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 #include "scoring/sets.hpp"
 #include "support/fault_windows.hpp"
 
@@ -28,7 +28,7 @@ double line_db(const Windows& windows, double line_hz) {
 }
 
 double line_db(const Windows& windows, Defect defect) {
-  return line_db(windows, bearing::strike_frequency_hz({}, defect, 1797));
+  return line_db(windows, bearing::impact_frequency_hz({}, defect, 1797));
 }
 
 /// The envelope is modulated by cosines of depth m at 9, 18 and 27 cycles and by noise: cosines of

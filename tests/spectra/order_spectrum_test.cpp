@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/computed_window.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::spectra {
 namespace {
@@ -35,7 +35,7 @@ TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
   double sum = 0;
   constexpr int windows = 20;
   for (int i = 0; i < windows; ++i) {
-    const OrderSpectrum spectrum = spectrum_of(struck_window({}, stream), 30);
+    const OrderSpectrum spectrum = spectrum_of(impact_window({}, stream), 30);
     sum += spectrum.heights.mean();
   }
   EXPECT_NEAR(sum / windows, -0.2507, 0.04);
@@ -45,7 +45,7 @@ TEST(OrderSpectrum, HasALineAtTheOrderOfTheStrikesWhateverTheSpeed) {
   Stream stream("struck");
   for (const double shaft_hz : {10.0, 30.0, 45.0, 60.0}) {
     const OrderSpectrum spectrum =
-        spectrum_of(struck_window({.strikes_hz = 4.2 * shaft_hz}, stream), shaft_hz);
+        spectrum_of(impact_window({.impacts_hz = 4.2 * shaft_hz}, stream), shaft_hz);
     Eigen::Index highest = 0;
     spectrum.heights.maxCoeff(&highest);
     const double order = OrderSpectrum::first + OrderSpectrum::step * static_cast<double>(highest);

@@ -49,9 +49,9 @@ TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
   Arguments files;
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
     const std::string name = each.name;
-    const std::string said = run_well(diagnose_by(name)).out;
-    EXPECT_EQ(said.find(name + ", seed 0") != said.npos, name != "wdcnn") << said;
-    EXPECT_EQ(said.find("in training") != said.npos, each.trains()) << said;
+    const std::string printed = run_well(diagnose_by(name)).out;
+    EXPECT_EQ(printed.find(name + ", seed 0") != printed.npos, name != "wdcnn") << printed;
+    EXPECT_EQ(printed.find("in training") != printed.npos, each.trains()) << printed;
     const scoring::DiagnosisRecord record = record_of(name);
     EXPECT_EQ(record.classifier, name);
     EXPECT_EQ(record.labels.size(), 30U);

@@ -11,9 +11,9 @@ using testing::Not;
 
 const std::string published = std::string(PIAE_SOURCE) + "/results/published";
 
-Arguments figures_of(const Arguments& asked) {
+Arguments figures_of(const Arguments& requested) {
   Arguments arguments{"--run", "run", "--dataset", "tiny", "--published", published};
-  arguments.insert(arguments.end(), asked.begin(), asked.end());
+  arguments.insert(arguments.end(), requested.begin(), requested.end());
   return arguments;
 }
 
@@ -82,10 +82,10 @@ TEST(FiguresOfNothing, AreAnError) {
   EXPECT_EQ(outcome.err, "figures: run/tiny: holds no cell\n");
 }
 
-Arguments report_of(const Arguments& asked) {
+Arguments report_of(const Arguments& requested) {
   Arguments arguments{"--run",   "run",     "--published",
                       published, "--style", std::string(PIAE_SOURCE) + "/pipeline/report"};
-  arguments.insert(arguments.end(), asked.begin(), asked.end());
+  arguments.insert(arguments.end(), requested.begin(), requested.end());
   return arguments;
 }
 

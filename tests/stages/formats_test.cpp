@@ -19,8 +19,8 @@ namespace {
 
 constexpr double sampled_hz = 12000;
 
-std::vector<double> recording(double strikes_hz, double seconds, const std::string& name) {
-  return struck_recording(sampled_hz, seconds, strikes_hz, "formats/" + name);
+std::vector<double> recording(double impacts_hz, double seconds, const std::string& name) {
+  return impact_recording(sampled_hz, seconds, impacts_hz, "formats/" + name);
 }
 
 /// Returns a channel of NI's recorders, with the time between samples.

@@ -38,8 +38,8 @@ const std::string good_description = described_bearing("rig") + described_normal
 
 std::vector<double> good_samples(const std::string& name) {
   const bearing::FaultFrequencies f = bearing::fault_frequencies({}, 1797);
-  const double strikes_hz = name == "IR007" ? f.bpfi_hz : name == "OR021" ? f.bpfo_hz : 0;
-  return struck_recording(rate_hz, seconds, strikes_hz, "ingest --check/" + name);
+  const double impacts_hz = name == "IR007" ? f.bpfi_hz : name == "OR021" ? f.bpfo_hz : 0;
+  return impact_recording(rate_hz, seconds, impacts_hz, "ingest --check/" + name);
 }
 
 /// Returns a column of times and one of samples.

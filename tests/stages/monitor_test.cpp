@@ -189,14 +189,14 @@ TEST_F(Monitored, OtherFormatsSayTheSame) {
   write_bytes(tiny_ / "raw.f64", doubles);
   write_bytes(tiny_ / "raw.f32be", swapped(bytes));
   write_bytes(tiny_ / "raw.wav", wav_header_of_a_pipe() + bytes);
-  const std::string said = monitor({"--input", "raw.f32"}).out;
-  EXPECT_EQ(monitor({"--input", "raw.txt", "--format", "text"}).out, said);
-  EXPECT_EQ(monitor({"--input", "raw.f64", "--format", "f64"}).out, said);
-  EXPECT_EQ(monitor({"--input", "raw.f32be", "--format", "f32be"}).out, said);
+  const std::string printed = monitor({"--input", "raw.f32"}).out;
+  EXPECT_EQ(monitor({"--input", "raw.txt", "--format", "text"}).out, printed);
+  EXPECT_EQ(monitor({"--input", "raw.f64", "--format", "f64"}).out, printed);
+  EXPECT_EQ(monitor({"--input", "raw.f32be", "--format", "f32be"}).out, printed);
   Surroundings piped;
   piped.input = tiny_ / "raw.wav";
   const Outcome wav = monitor({"--format", "wav"}, piped);
-  EXPECT_EQ(wav.out, said);
+  EXPECT_EQ(wav.out, printed);
   EXPECT_THAT(wav.err, HasSubstr("nothing lost"));
   expect_refusal(monitor({"--format", "wav", "--sample-rate-hz", "24000"}, piped), "monitor", 65,
                  {"standard input", "12000 Hz", "--sample-rate-hz 24000"});

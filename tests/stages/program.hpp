@@ -147,13 +147,13 @@ class Process {
   }
 
   void wait_until_it_is_in(std::FILE* stream, const std::string& text) const {
-    while (said(stream).find(text) == std::string::npos && !ended()) {
+    while (printed(stream).find(text) == std::string::npos && !ended()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
 
   /// Returns the output so far, without moving the write position.
-  [[nodiscard]] static std::string said(std::FILE* stream) {
+  [[nodiscard]] static std::string printed(std::FILE* stream) {
     std::string text;
     char buffer[4096];
     for (ssize_t got = 0; (got = ::pread(fileno(stream), buffer, sizeof buffer,

@@ -51,7 +51,7 @@ class OutputsOfReadRaw : public testing::TestWithParam<std::tuple<Place, Place>>
     const int status = std::system(("bash " + (folder_ / "script").string()).c_str());
     return WEXITSTATUS(status);
   }
-  [[nodiscard]] std::string said() const { return bytes_of(folder_ / "err"); }
+  [[nodiscard]] std::string printed() const { return bytes_of(folder_ / "err"); }
 
   Folder folder_;
 };
@@ -65,9 +65,9 @@ TEST_P(OutputsOfReadRaw, GetTheNumbersOrSayWhyNot) {
     ASSERT_EQ(bytes.size(), sizeof numbers);
     std::memcpy(numbers.data(), bytes.data(), bytes.size());
     EXPECT_THAT(numbers, testing::ElementsAre(1.5, -2, 0.25));
-    EXPECT_EQ(said(), "");
+    EXPECT_EQ(printed(), "");
   } else if (err.keeps) {
-    EXPECT_THAT(said(), HasSubstr("read_raw: standard output: "));
+    EXPECT_THAT(printed(), HasSubstr("read_raw: standard output: "));
   }
 }
 
@@ -75,7 +75,7 @@ TEST_P(OutputsOfReadRaw, AreToldOfAFaultInTheFile) {
   const auto& [out, err] = GetParam();
   EXPECT_EQ(read("7"), 65);
   if (err.keeps) {
-    EXPECT_THAT(said(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
+    EXPECT_THAT(printed(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
   }
 }
 

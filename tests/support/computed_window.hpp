@@ -15,14 +15,14 @@ namespace piae {
 /// sliding windows, np.interp, np.bincount.
 inline std::vector<float> computed_window() {
   constexpr double rate_hz = 12000;
-  const double strikes_hz = 4.5 * (1 - 7.94 / 39) * 30 * 1.004;
+  const double impacts_hz = 4.5 * (1 - 7.94 / 39) * 30 * 1.004;
   std::uint64_t state = 1;
   std::vector<float> window;
   for (std::size_t t = 0; t < 2048; ++t) {
     state = state * 6364136223846793005U + 1442695040888963407U;
     double sample = static_cast<double>(state >> 11U) / 9007199254740992.0 - 0.5;
     for (int strike = 0; strike < 60; ++strike) {
-      const double since_s = static_cast<double>(t) / rate_hz - (strike + 0.3) / strikes_hz;
+      const double since_s = static_cast<double>(t) / rate_hz - (strike + 0.3) / impacts_hz;
       if (since_s < 0) break;
       sample += 3 * std::exp(-800 * since_s) * std::sin(2 * std::numbers::pi * 3000 * since_s);
     }

@@ -25,7 +25,7 @@ class BallPassage {
               double clearance_m)
       : motion_(motion),
         speeds_(speeds(geometry, motion.shaft_speed_rpm, motion.slip)),
-        kind_(defect.kind),
+        fault_type_(defect.fault_type),
         half_angle_rad_(half_angle_rad(geometry, defect)),
         clearance_m_(clearance_m),
         clearance_in_defect_m_(clearance_m + defect_depth_m(geometry, defect.size_mm)),
@@ -57,13 +57,13 @@ class BallPassage {
 
   /// Returns the index of the ball that is in the defect, -1 for none.
   [[nodiscard]] int ball_in_defect(double time_s, double cage_angle_rad) const {
-    if (kind_ == Defect::none) return -1;
-    if (kind_ == Defect::roller) {
+    if (fault_type_ == Defect::none) return -1;
+    if (fault_type_ == Defect::roller) {
       const double spin = motion_.defect_angle_rad + speeds_.spin * time_s;
       return faces_a_race(spin, half_angle_rad_) ? 0 : -1;
     }
-    const double turned = kind_ == Defect::inner ? speeds_.shaft * time_s : 0;
-    const double defect = motion_.defect_angle_rad + turned;
+    const double rotated = fault_type_ == Defect::inner ? speeds_.shaft * time_s : 0;
+    const double defect = motion_.defect_angle_rad + rotated;
     const double nearest = std::rint((defect - cage_angle_rad) / ball_distance_rad_);
     if (!meet(cage_angle_rad + nearest * ball_distance_rad_, defect, half_angle_rad_)) return -1;
     const int balls = static_cast<int>(balls_.size());
@@ -73,7 +73,7 @@ class BallPassage {
 
   Motion motion_;
   Speeds speeds_;
-  Defect kind_;
+  Defect fault_type_;
   double half_angle_rad_;
   double clearance_m_;
   double clearance_in_defect_m_;

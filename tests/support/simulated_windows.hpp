@@ -26,20 +26,20 @@ inline signal::DatasetInfo bearing_info() {
 
 /// A window by eq. 13 and the impact angle at its middle: the number of impacts up to there, times
 /// 2 pi; 0 where the defect and a ball (or the ball's defect and a race) meet.
-struct StruckWindow {
+struct ImpactWindow {
   std::vector<double> samples;
-  double strike_angle_rad = 0;
+  double impact_angle_rad = 0;
 };
 
 /// Returns a window with (k, c), speed, slip and angles drawn as in a simulated dataset, with white
 /// noise 10 dB below the signal.
-inline StruckWindow struck_window(const signal::DatasetInfo& info, std::size_t label,
+inline ImpactWindow impact_window(const signal::DatasetInfo& info, std::size_t label,
                                   std::size_t length, Stream stream) {
   const signal::ClassInfo& c = info.classes[label];
   const bearing::Variation variation;
   const bearing::Motion motion =
       bearing::draw_motion(stream, c.defect, info.shaft_speed_rpm, variation);
-  StruckWindow window;
+  ImpactWindow window;
   window.samples = bearing::simulate(info.bearing, {c.defect, c.defect_size_mm}, motion,
                                      bearing::draw_dynamics(stream, {}, variation),
                                      {info.sample_rate_hz, length});
@@ -52,14 +52,14 @@ inline StruckWindow struck_window(const signal::DatasetInfo& info, std::size_t l
   const double cage = motion.cage_angle_rad + speeds.cage * middle_s;
   switch (c.defect) {
     case signal::Defect::outer:
-      window.strike_angle_rad = info.bearing.balls * cage;
+      window.impact_angle_rad = info.bearing.balls * cage;
       break;
     case signal::Defect::inner:
-      window.strike_angle_rad =
+      window.impact_angle_rad =
           info.bearing.balls * (motion.defect_angle_rad + speeds.shaft * middle_s - cage);
       break;
     default:
-      window.strike_angle_rad = 2 * (motion.defect_angle_rad + speeds.spin * middle_s);
+      window.impact_angle_rad = 2 * (motion.defect_angle_rad + speeds.spin * middle_s);
   }
   return window;
 }

@@ -141,14 +141,15 @@ TEST_F(StoredBaselines, CompareAsBefore) {
   const Healthy healthy = with_all_bands(eight_of_each({1000, 2000}));
   Baselines before(healthy.windows, healthy.measures);
   Baselines after = Baselines::read(written(healthy), "/some", 12000);
-  const Measures asked = with_all_bands({1000}).measures.front();
+  const Measures measured = with_all_bands({1000}).measures.front();
   for (const double speed_rpm : {1000.0, 1500.0, 2000.0}) {
-    EXPECT_EQ(after.at(speed_rpm).excesses(asked), before.at(speed_rpm).excesses(asked));
-    EXPECT_TRUE((after.at(speed_rpm).rise_db(asked) == before.at(speed_rpm).rise_db(asked)).all());
-    EXPECT_EQ(after.at(speed_rpm).novelty().of(asked.shape_db),
-              before.at(speed_rpm).novelty().of(asked.shape_db));
+    EXPECT_EQ(after.at(speed_rpm).excesses(measured), before.at(speed_rpm).excesses(measured));
+    EXPECT_TRUE(
+        (after.at(speed_rpm).rise_db(measured) == before.at(speed_rpm).rise_db(measured)).all());
+    EXPECT_EQ(after.at(speed_rpm).novelty().of(measured.shape_db),
+              before.at(speed_rpm).novelty().of(measured.shape_db));
   }
-  EXPECT_NE(after.at(1000).excesses(asked), after.at(2000).excesses(asked));
+  EXPECT_NE(after.at(1000).excesses(measured), after.at(2000).excesses(measured));
 }
 
 TEST_F(StoredBaselines, AreOfTheSameBands) {

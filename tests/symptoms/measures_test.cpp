@@ -6,7 +6,7 @@
 
 #include "support/computed_window.hpp"
 #include "support/errors.hpp"
-#include "support/struck_windows.hpp"
+#include "support/impact_windows.hpp"
 
 namespace piae::symptoms {
 namespace {
@@ -20,7 +20,7 @@ TEST(LineOrders, AreThoseOfA6205) {
 }
 
 signal::WindowSet computed_set() {
-  signal::WindowSet set = no_struck_windows(2048);
+  signal::WindowSet set = no_impact_windows(2048);
   set.samples = computed_window();
   set.labels = {0};
   return set;
@@ -31,9 +31,10 @@ TEST(Measures, AreThoseOfNumpy) {
   const double heights[3][4] = {{-0.376805, 0.267501, 0.072102, 0.226036},
                                 {-0.133092, -0.109131, 0.174958, 0.082016},
                                 {1.057183, 1.060267, 1.017147, 0.994209}};
-  for (std::size_t kind = 0; kind < 3; ++kind) {
+  for (std::size_t fault_type = 0; fault_type < 3; ++fault_type) {
     for (std::size_t n = 0; n < 4; ++n) {
-      EXPECT_NEAR(measures.heights.at(kind).at(n), heights[kind][n], 2e-6) << kind << " " << n;
+      EXPECT_NEAR(measures.heights.at(fault_type).at(n), heights[fault_type][n], 2e-6)
+          << fault_type << " " << n;
     }
   }
   EXPECT_NEAR(measures.lines[0], 0.226036, 2e-6);
@@ -54,8 +55,8 @@ TEST(Measures, AreTheSameForALouderWindowWithAnOffset) {
 
 TEST(Measures, ShowTheLineOfTheKindThatIsStruck) {
   Stream stream("struck");
-  signal::WindowSet set = no_struck_windows();
-  for (const Label label : {0, 1, 2}) add_struck(set, label, 5, stream);
+  signal::WindowSet set = no_impact_windows();
+  for (const Label label : {0, 1, 2}) add_impact_windows(set, label, 5, stream);
   const std::vector<Measures> all = measure(set, "--test");
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_LT(*std::ranges::max_element(all[i].lines), 0.5) << i;
@@ -76,10 +77,10 @@ TEST(Measures, AreTakenAtTheSpeedOfTheWindow) {
 
 TEST(Measures, OfOtherRatesAreAsGood) {
   Stream stream("struck");
-  signal::WindowSet set = no_struck_windows(8192);
+  signal::WindowSet set = no_impact_windows(8192);
   set.info.sample_rate_hz = 25600;
-  set.samples = struck_window(
-      {.length = 8192, .rate_hz = 25600, .strikes_hz = strikes_of_classes_hz[2]}, stream);
+  set.samples = impact_window(
+      {.length = 8192, .rate_hz = 25600, .impacts_hz = impacts_of_classes_hz[2]}, stream);
   set.labels = {2};
   const Measures measures = measure(set, "--test").front();
   EXPECT_GT(measures.lines[2], 0.8);
@@ -93,9 +94,9 @@ TEST(Measures, OfOtherRatesAreAsGood) {
 TEST(Measures, NeedWindowsThatTellTheLinesApart) {
   Stream stream("noise");
   for (const auto& [length, enough] : {std::pair(848, true), std::pair(847, false)}) {
-    signal::WindowSet set = no_struck_windows(static_cast<std::size_t>(length));
+    signal::WindowSet set = no_impact_windows(static_cast<std::size_t>(length));
     set.info.shaft_speed_rpm = 600;
-    add_struck(set, 0, 1, stream);
+    add_impact_windows(set, 0, 1, stream);
     if (enough) {
       EXPECT_EQ(measure(set, "--test").size(), 1U);
     } else {

@@ -18,9 +18,10 @@ TEST(Symptoms, AreHeightsKurtosisRisesAndNovelty) {
   const Measures healthy = with_levels(Eigen::Array4d(-10, -20, -30, -40));
   const Baseline baseline(std::vector<const Measures*>(8, &healthy));
   Measures window = with_levels(Eigen::Array4d(-12, 5, -24, -36));  // rises -2, 25, 6, 4
-  for (std::size_t kind = 0; kind < 3; ++kind) {
+  for (std::size_t fault_type = 0; fault_type < 3; ++fault_type) {
     for (std::size_t n = 0; n < 4; ++n) {
-      window.heights.at(kind).at(n) = 10 * static_cast<double>(kind) + static_cast<double>(n);
+      window.heights.at(fault_type).at(n) =
+          10 * static_cast<double>(fault_type) + static_cast<double>(n);
     }
   }
   window.log_kurtosis = 1.5;
@@ -40,11 +41,11 @@ TEST(Symptoms, AreClipped) {
   EXPECT_EQ(quiet[14], -3);
   EXPECT_EQ(quiet[15], -20);
   EXPECT_NEAR(quiet[16], std::log(0.5), 1e-12);
-  const Symptoms loud = symptoms_of(with_levels(Eigen::Array4d::Constant(50)), baseline, 100);
-  EXPECT_EQ(loud[13], 20);
-  EXPECT_EQ(loud[14], 20);
-  EXPECT_EQ(loud[15], 3);
-  EXPECT_NEAR(loud[16], std::log(6), 1e-12);
+  const Symptoms high_level = symptoms_of(with_levels(Eigen::Array4d::Constant(50)), baseline, 100);
+  EXPECT_EQ(high_level[13], 20);
+  EXPECT_EQ(high_level[14], 20);
+  EXPECT_EQ(high_level[15], 3);
+  EXPECT_NEAR(high_level[16], std::log(6), 1e-12);
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ constexpr double lag_shares[] = {0.85, 0.95, 0.9, 0.8};
 
 /// Returns a window of 1024 samples of this structure, with impacts from a random moment on at the
 /// rate of window `i`, and with cyclic strengths.
-inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t i,
-                                  std::span<const double> strengths, double rms) {
+inline Eigen::ArrayXd impacts_like(const signal::WindowSet& windows, std::size_t i,
+                                   std::span<const double> strengths, double rms) {
   Stream random("window " + std::to_string(i));
   const double rate_hz = windows.info.sample_rate_hz;
   const impacts::Edges edges = edges_at(windows, i, lag_shares[i / 5], 1200);
@@ -52,7 +52,7 @@ inline Eigen::ArrayXd struck_like(const signal::WindowSet& windows, std::size_t 
                                .exit = edges.exit};
       });
   const Eigen::ArrayXcd response = impacts::minimum_phase(three_resonances(1025, rate_hz));
-  return rms * impacts::window_of(impacts::struck_frame(all, response, rate_hz), 1024);
+  return rms * impacts::window_of(impacts::impact_frame(all, response, rate_hz), 1024);
 }
 
 /// Returns windows of one machine with four bearings: small and large defects of inner and outer
@@ -77,7 +77,7 @@ inline signal::WindowSet one_machine() {
   }
   const std::vector<double> alike{1};
   for (std::size_t i = 0; i < 20; ++i) {
-    for (const double x : struck_like(known, i, alike, 3)) {
+    for (const double x : impacts_like(known, i, alike, 3)) {
       known.samples.push_back(static_cast<float>(x));
     }
   }

@@ -59,17 +59,17 @@ TEST_P(CarriedBy, IsStruckAtTheTestedRhythmAndAsLoudAsKnown) {
     const auto any = static_cast<std::size_t>(5 * (label - 1));
     const double period = period_s(known, any, 600) * 12000;
     const Comb tested = find_comb(window, period);
-    const Comb known_rhythm = find_comb(window, period / 2 * 1.2);
+    const Comb known_rate = find_comb(window, period / 2 * 1.2);
     EXPECT_NEAR(tested.period, period, 0.01 * period);
     const auto height = [&](const Comb& comb) {
       double sum = 0;
-      for (const std::size_t strike : comb.strikes(1024)) {
+      for (const std::size_t strike : comb.impact_positions(1024)) {
         const std::size_t end = std::min<std::size_t>(1024, strike + 10);
         for (std::size_t t = strike; t < end; ++t) sum += window[t] * window[t];
       }
-      return sum / static_cast<double>(comb.strikes(1024).size());
+      return sum / static_cast<double>(comb.impact_positions(1024).size());
     };
-    EXPECT_GT(height(tested), 1.3 * height(known_rhythm)) << label;
+    EXPECT_GT(height(tested), 1.3 * height(known_rate)) << label;
     double square = 0;
     for (const double x : window) square += x * x;
     EXPECT_NEAR(square / 1024, 9, 1e-3);  // known windows have an RMS of 3
@@ -118,14 +118,15 @@ TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
   Stream random("told");
   const signal::MadeWindow carried = carrier.carry(journey_of(known, 3, 0), random);
   const std::vector<double> samples(carried.samples.begin(), carried.samples.end());
-  const double period_s_told = period_s(known, 10, 600);
-  ASSERT_GE(carried.strikes_s->size(), 2U);
-  for (std::size_t i = 1; i < carried.strikes_s->size(); ++i) {
-    EXPECT_NEAR(carried.strikes_s->at(i) - carried.strikes_s->at(i - 1), period_s_told, 1e-4);
+  const double period_s_given = period_s(known, 10, 600);
+  ASSERT_GE(carried.impact_times_s->size(), 2U);
+  for (std::size_t i = 1; i < carried.impact_times_s->size(); ++i) {
+    EXPECT_NEAR(carried.impact_times_s->at(i) - carried.impact_times_s->at(i - 1), period_s_given,
+                1e-4);
   }
   // The comb lies a few samples behind the impact.
-  const Comb comb = find_comb(samples, period_s_told * 12000);
-  const double behind = comb.first - carried.strikes_s->front() * 12000;
+  const Comb comb = find_comb(samples, period_s_given * 12000);
+  const double behind = comb.first - carried.impact_times_s->front() * 12000;
   EXPECT_GE(behind, -0.15 * comb.period);
   EXPECT_LE(behind, 0.15 * comb.period);
 }
@@ -164,7 +165,7 @@ TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
   signal::WindowSet known = one_machine();
   const std::vector<double> every_second_is_weak{1, 0.15};
   for (std::size_t i = 0; i < 5; ++i) {
-    const Eigen::ArrayXf window = struck_like(known, i, every_second_is_weak, 3).cast<float>();
+    const Eigen::ArrayXf window = impacts_like(known, i, every_second_is_weak, 3).cast<float>();
     std::ranges::copy(window, known.samples.begin() + static_cast<std::ptrdiff_t>(1024 * i));
   }
   const std::vector<impacts::Edges> edges = true_edges(known);
@@ -179,8 +180,8 @@ TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
       Stream random("strong " + std::to_string(i));
       const signal::MadeWindow carried = carrier.carry(journey_of(known, 1, i), random);
       std::vector<double> powers;
-      for (const double strike_s : *carried.strikes_s) {
-        const auto begin = static_cast<std::size_t>(strike_s * 12000);
+      for (const double impact_s : *carried.impact_times_s) {
+        const auto begin = static_cast<std::size_t>(impact_s * 12000);
         if (begin + 20 > 1024) continue;
         double power = 0;
         for (std::size_t t = begin; t < begin + 20; ++t) power += std::pow(carried.samples[t], 2);

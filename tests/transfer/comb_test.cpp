@@ -33,8 +33,9 @@ TEST(Comb, IsFoundInNoiseAsLoudAsTheRinging) {
 }
 
 TEST(Comb, StrikesAreTheWholeSamplesWithinTheWindow) {
-  EXPECT_EQ((Comb{.first = 1.5, .period = 2.6}.strikes(8)), (std::vector<std::size_t>{1, 4, 6}));
-  EXPECT_TRUE((Comb{.first = 9, .period = 20}.strikes(8)).empty());
+  EXPECT_EQ((Comb{.first = 1.5, .period = 2.6}.impact_positions(8)),
+            (std::vector<std::size_t>{1, 4, 6}));
+  EXPECT_TRUE((Comb{.first = 9, .period = 20}.impact_positions(8)).empty());
 }
 
 }  // namespace

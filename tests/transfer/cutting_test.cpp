@@ -35,7 +35,7 @@ TEST(Cutting, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
   for (const double period : {80.0, 160.0, 213.3, 320.0}) {
     Stream random("struck at " + std::to_string(period));
     const std::vector<double> window =
-        struck(responses, {.period = period, .jitter = 0}, 1024, random).samples;
+        with_impacts(responses, {.period = period, .jitter = 0}, 1024, random).samples;
     const Comb comb = find_comb(window, period);
     EXPECT_NEAR(comb.period, period, 0.006 * period) << period;
     // The ringing after each impact is the same, so the power grows with the number of impacts.
@@ -49,9 +49,9 @@ TEST(Cutting, SaysWhenItStrikes) {
   std::vector<Cut> responses(2, Cut(100, 0.0));
   for (Cut& response : responses) response[12] = 1;
   Stream random("strikes");
-  const StruckWindow window = struck(responses, {.period = 70, .jitter = 0.02}, 1024, random);
-  ASSERT_GE(window.strikes.size(), 13U);
-  for (const double strike : window.strikes) {
+  const ImpactWindow window = with_impacts(responses, {.period = 70, .jitter = 0.02}, 1024, random);
+  ASSERT_GE(window.impact_positions.size(), 13U);
+  for (const double strike : window.impact_positions) {
     const auto place = static_cast<std::size_t>(std::lround(strike));
     EXPECT_EQ(window.samples[std::min<std::size_t>(place, 1023)], 1) << strike;
   }
@@ -63,7 +63,7 @@ TEST(Cutting, KeepsTheOrderOfResponses) {
   for (std::size_t i = 0; i < 3; ++i) responses[i][10] = static_cast<double>(i + 1);
   Stream random("order");
   const std::vector<double> window =
-      struck(responses, {.period = 50, .jitter = 0}, 1024, random).samples;
+      with_impacts(responses, {.period = 50, .jitter = 0}, 1024, random).samples;
   std::vector<double> heard;
   for (const double x : window) {
     if (x > 0) heard.push_back(x);
@@ -79,21 +79,21 @@ TEST(Cutting, IsAsIrregularAsItIsAskedToBe) {
   responses[0][0] = 1;
   Stream random("irregular");
   double squares = 0;
-  double strikes = 0;
+  double impact_positions = 0;
   for (int i = 0; i < 100; ++i) {
     const std::vector<double> window =
-        struck(responses, {.period = 50, .jitter = 0.04}, 1024, random).samples;
+        with_impacts(responses, {.period = 50, .jitter = 0.04}, 1024, random).samples;
     std::vector<double> places;
     for (std::size_t t = 0; t < window.size(); ++t) {
       if (window[t] > 0.5) places.push_back(static_cast<double>(t));
     }
     for (std::size_t j = 1; j < places.size(); ++j) {
       squares += std::pow((places[j] - places[j - 1]) / 50 - 1, 2);
-      ++strikes;
+      ++impact_positions;
     }
   }
   // Rounding to samples adds 1/50 * sqrt(1/6): in total 0.0408.
-  EXPECT_NEAR(std::sqrt(squares / strikes), 0.0408, 0.003);
+  EXPECT_NEAR(std::sqrt(squares / impact_positions), 0.0408, 0.003);
 }
 
 TEST(Cutting, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
@@ -105,7 +105,8 @@ TEST(Cutting, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
   double sum = 0;
   for (int i = 0; i < 40; ++i) {
     Stream random("window " + std::to_string(i));
-    sum += power(struck(responses, {.period = 400, .jitter = 0}, 1024, random).samples) / 1024;
+    sum +=
+        power(with_impacts(responses, {.period = 400, .jitter = 0}, 1024, random).samples) / 1024;
   }
   EXPECT_NEAR(sum / 40, 1, 0.12);
 }

@@ -26,7 +26,7 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   table_of(read).read(artefact::Reader(path, "model"));
   EXPECT_EQ(read.response, Response::cut);
   EXPECT_EQ(read.edges, Set::known);
-  EXPECT_EQ(read.rhythm, Set::known);
+  EXPECT_EQ(read.rate_of, Set::known);
   EXPECT_EQ(read.strengths.from, Strengths::alike);
   EXPECT_EQ(read.strengths.load.least_extent, 0.3);
   EXPECT_EQ(read.strengths.load.largest_extent, 0.6);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 
 namespace piae::transfer {
 namespace {
@@ -17,12 +17,12 @@ const bearing::Geometry skf_6205{.balls = 9,
                                  .outer_raceway_mm = 46.94,
                                  .contact_angle_deg = 0};
 
-std::vector<double> strengths_of(bearing::Defect kind, const impacts::LoadOptions& options,
+std::vector<double> strengths_of(bearing::Defect fault_type, const impacts::LoadOptions& options,
                                  std::size_t count, const std::string& name = "strengths") {
   Stream random(name);
-  return load_zone_strengths(kind, bearing::speeds(skf_6205, 1200),
-                             1 / bearing::strike_frequency_hz(skf_6205, kind, 1200), count, options,
-                             random);
+  return load_zone_strengths(fault_type, bearing::speeds(skf_6205, 1200),
+                             1 / bearing::impact_frequency_hz(skf_6205, fault_type, 1200), count,
+                             options, random);
 }
 
 TEST(Strengths, OfAnOuterRaceAreAlikeUnderALoadThatStays) {

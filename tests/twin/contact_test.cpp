@@ -25,29 +25,31 @@ signal::DatasetInfo paper_bearing() {
   return info;
 }
 
-Contact contact_of(Defect defect, ContactReading reading, double size_mm = 0.5334,
+Contact contact_of(Defect defect, ContactInterpretation interpretation, double size_mm = 0.5334,
                    std::int64_t samples = 12000) {
   TwinOptions options;
-  options.contact = reading;
+  options.contact = interpretation;
   return make_contact(paper_bearing(), {"class", defect, defect == Defect::none ? 0 : size_mm},
                       samples, options);
 }
 
 TEST(Contact, StandingIsAtClearanceAndDepthThroughout) {
-  const Contact contact = contact_of(Defect::inner, ContactReading::standing);
+  const Contact contact = contact_of(Defect::inner, ContactInterpretation::standing);
   EXPECT_NEAR(contact.inside_m, 2e-6 + 8.97e-6, 1e-8);  // eq. 10 at 21 mil
   EXPECT_EQ(contact.at_rest, 1);
   EXPECT_TRUE(contact.passing.empty());
 }
 
 TEST(Contact, OfTheDefectAloneKnowsNoClearance) {
-  EXPECT_NEAR(contact_of(Defect::outer, ContactReading::defect_alone).inside_m, 8.97e-6, 1e-8);
-  EXPECT_EQ(contact_of(Defect::none, ContactReading::defect_alone).inside_m, 0);
+  EXPECT_NEAR(contact_of(Defect::outer, ContactInterpretation::defect_alone).inside_m, 8.97e-6,
+              1e-8);
+  EXPECT_EQ(contact_of(Defect::none, ContactInterpretation::defect_alone).inside_m, 0);
 }
 
 TEST(Contact, OfAHealthyBearingIsAtItsClearance) {
-  for (const auto reading : {ContactReading::passing, ContactReading::expected}) {
-    const Contact healthy = contact_of(Defect::none, reading);
+  for (const auto interpretation :
+       {ContactInterpretation::passing, ContactInterpretation::expected}) {
+    const Contact healthy = contact_of(Defect::none, interpretation);
     EXPECT_EQ(healthy.outside_m, 2e-6);
     EXPECT_EQ(healthy.at_rest, 0);
     EXPECT_TRUE(healthy.passing.empty());
@@ -67,17 +69,18 @@ int passages(const Contact& contact) {
 TEST(Contact, IsPassedAsOftenAsTheFaultFrequencySays) {
   const auto info = paper_bearing();
   const auto hz = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
-  EXPECT_NEAR(passages(contact_of(Defect::outer, ContactReading::passing)), hz.bpfo_hz, 1);
-  EXPECT_NEAR(passages(contact_of(Defect::inner, ContactReading::passing)), hz.bpfi_hz, 1);
-  EXPECT_NEAR(passages(contact_of(Defect::roller, ContactReading::passing)), 2 * hz.bsf_hz, 1);
+  EXPECT_NEAR(passages(contact_of(Defect::outer, ContactInterpretation::passing)), hz.bpfo_hz, 1);
+  EXPECT_NEAR(passages(contact_of(Defect::inner, ContactInterpretation::passing)), hz.bpfi_hz, 1);
+  EXPECT_NEAR(passages(contact_of(Defect::roller, ContactInterpretation::passing)), 2 * hz.bsf_hz,
+              1);
 }
 
 TEST(Contact, IsExpectedForThePartOfTheTimeThatItIsPassed) {
   for (const Defect defect : {Defect::outer, Defect::inner, Defect::roller}) {
-    const std::vector<double> passing = contact_of(defect, ContactReading::passing).passing;
+    const std::vector<double> passing = contact_of(defect, ContactInterpretation::passing).passing;
     const double mean =
         std::accumulate(passing.begin(), passing.end(), 0.0) / static_cast<double>(passing.size());
-    const double expected = contact_of(defect, ContactReading::expected).at_rest;
+    const double expected = contact_of(defect, ContactInterpretation::expected).at_rest;
     EXPECT_NEAR(mean, expected, 0.02 * expected);
   }
 }
@@ -92,10 +95,10 @@ TEST(ContactForce, IsThatOfHertzInsideAndOutside) {
 // W / (delta 1e8 N/m) = 1.0 / 1.097e-5 / 1e5: 0.91 at 21 mil, 5 at the clearance of 2 um.
 TEST(ContactAtRest, IsOpenAboveTheStiffnessAtWhichTheSpringCarriesTheLoadBeforeIt) {
   Physics physics = example_physics();
-  const Contact standing = contact_of(Defect::inner, ContactReading::standing);
+  const Contact standing = contact_of(Defect::inner, ContactInterpretation::standing);
   EXPECT_FALSE(is_open_at_rest(0.90e8, standing, physics));
   EXPECT_TRUE(is_open_at_rest(0.92e8, standing, physics));
-  const Contact expected = contact_of(Defect::inner, ContactReading::expected);
+  const Contact expected = contact_of(Defect::inner, ContactInterpretation::expected);
   EXPECT_FALSE(is_open_at_rest(4.9e8, expected, physics));
   EXPECT_TRUE(is_open_at_rest(5.1e8, expected, physics));
 }

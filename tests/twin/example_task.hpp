@@ -34,7 +34,7 @@ inline TwinTask task_of(const TaskOf& c) {
     task.options.mmd = Mmd::root;
     task.options.residual = Residual::absolute;
     task.options.derivatives = Derivatives::spectral;
-    task.options.contact = ContactReading::passing;
+    task.options.contact = ContactInterpretation::passing;
   }
   task.shape = {static_cast<std::int64_t>(known.length),
                 static_cast<std::int64_t>(known.info.classes.size())};

@@ -131,12 +131,12 @@ TEST(DifferentialLoss, HasTheGradientsOfFiniteDifferences) {
 TEST(DifferentialLoss,
      HasTheGradientsOfFiniteDifferencesAlsoAsRootsAndSumsOverSpectralDerivatives) {
   constexpr double step = 0.8;
-  constexpr LossReading reading{.squares = Squares::sum, .mmd = Mmd::root};
+  constexpr LossInterpretation interpretation{.squares = Squares::sum, .mmd = Mmd::root};
   const Stencil spectral = stencil_of(Derivatives::spectral);
   Motion motion = random_motion(3, 36);
-  const Loss loss = differential_loss<double>(motion, step, spectral, reading);
+  const Loss loss = differential_loss<double>(motion, step, spectral, interpretation);
   const auto value = [&] {
-    return differential_loss<double>(motion, step, spectral, reading).value;
+    return differential_loss<double>(motion, step, spectral, interpretation).value;
   };
   expect_gradient(loss.by_displacement, motion.displacement, value);
   expect_gradient(loss.by_velocity, motion.velocity, value);
@@ -187,7 +187,7 @@ TEST(TwinLoss, VanishesForAFreeDampedOscillation) {
 
 /// Returns free damped oscillations of a mass, with new impacts before they have decayed. While the
 /// window repeats itself, its energy is in balance.
-Motion struck_again_and_again(double k, double damping) {
+Motion repeated_impacts(double k, double damping) {
   constexpr Eigen::Index samples = 400;
   constexpr Eigen::Index between = 50;
   constexpr double step = 0.15;
@@ -232,7 +232,7 @@ TEST(TwinLoss, FindsTheDampingOfWhatIsStruckAgainAndAgainByAbsoluteValuesAlone) 
   physics.contact_n_per_m15 = 0;
   constexpr double k = 1.5;
   constexpr double c = 5.0;
-  const Motion motion = struck_again_and_again(k, physics.damping * c);
+  const Motion motion = repeated_impacts(k, physics.damping * c);
   EXPECT_NEAR(best_damping(motion, k, physics, Residual::absolute), c, 0.11);
   EXPECT_LT(best_damping(motion, k, physics, Residual::squared), 0.3 * c);
 }
@@ -253,14 +253,15 @@ TEST(TwinLoss, ContactAddsItsTangentStiffnessForSmallMotion) {
 }
 
 /// Checks one batch of three windows of both classes.
-void expect_twin_loss_gradients(const Physics& physics, const LossReading& reading = {}) {
+void expect_twin_loss_gradients(const Physics& physics,
+                                const LossInterpretation& interpretation = {}) {
   const std::vector<std::int32_t> labels{0, 1, 1};
   Motion motion = random_motion(3, 8);
   Array k_and_c(3, 2);
   k_and_c << 0.7, 3.0, 1.4, 5.0, 3.0, 9.0;
-  const Loss loss = twin_loss<double>(k_and_c, motion, labels, physics, reading);
+  const Loss loss = twin_loss<double>(k_and_c, motion, labels, physics, interpretation);
   const auto value = [&] {
-    return twin_loss<double>(k_and_c, motion, labels, physics, reading).value;
+    return twin_loss<double>(k_and_c, motion, labels, physics, interpretation).value;
   };
   expect_gradient(loss.by_k_and_c, k_and_c, value, 1e-6);
   expect_gradient(loss.by_displacement, motion.displacement, value, 1e-6);

@@ -62,8 +62,8 @@ TEST_P(TwinVariantTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
       bytes_of(train(checkpoint_at("uncut.ckpt"), options, "uncut.h5", variant, engine));
   for (int cut = 1; cut <= options.epochs; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
-    int asked = 0;
-    checkpoint.interrupted = [&] { return ++asked == cut; };
+    int calls = 0;
+    checkpoint.interrupted = [&] { return ++calls == cut; };
     try {
       train(checkpoint, options, "never.h5", variant, engine);
       FAIL() << "was not interrupted after epoch " << cut;

@@ -81,22 +81,22 @@ TEST(Background, ModulatesNothingWithDepthZero) {
 
 TEST(Background, KnocksWithTheirProbabilityThreeTimesOnAverage) {
   int windows = 0;
-  double knocks = 0;
+  double impacts = 0;
   double up = 0;
   for (int i = 0; i < 3000; ++i) {
     Stream random("knocks " + std::to_string(i));
-    const auto drawn = draw_stray_knocks(2, {.stray_knocks = 0.3}, random);
+    const auto drawn = draw_stray_impacts(2, {.stray_impacts = 0.3}, random);
     windows += drawn.empty() ? 0 : 1;
-    knocks += static_cast<double>(drawn.size());
-    for (const auto& knock : drawn) {
-      up += knock.strength > 0 ? 1 : 0;
-      EXPECT_GE(knock.time_s, 0);
-      EXPECT_LT(knock.time_s, 2);
+    impacts += static_cast<double>(drawn.size());
+    for (const auto& impact : drawn) {
+      up += impact.strength > 0 ? 1 : 0;
+      EXPECT_GE(impact.time_s, 0);
+      EXPECT_LT(impact.time_s, 2);
     }
   }
   EXPECT_NEAR(windows, 900, 100);
-  EXPECT_NEAR(knocks / windows, 3, 0.2);
-  EXPECT_NEAR(up / knocks, 0.5, 0.04);
+  EXPECT_NEAR(impacts / windows, 3, 0.2);
+  EXPECT_NEAR(up / impacts, 0.5, 0.04);
 }
 
 }  // namespace

@@ -15,20 +15,20 @@ constexpr double every_10_ms = 0.01;  // period in s
 constexpr double ball_cage_hz = 12;
 
 Train train_of(std::size_t count) {
-  Train strikes(count);
-  for (std::size_t i = 0; i < count; ++i) strikes[i].time_s = 0.01 * static_cast<double>(i);
-  return strikes;
+  Train train(count);
+  for (std::size_t i = 0; i < count; ++i) train[i].time_s = 0.01 * static_cast<double>(i);
+  return train;
 }
 
 TEST(Ball, StrikesBothRacesInTurnOneOfThemLess) {
   for (int i = 0; i < 50; ++i) {
-    Train strikes = train_of(20);
+    Train train = train_of(20);
     Stream random("races " + std::to_string(i));
-    alternate_races({.other_race = 0.2}, random, strikes);
-    const double weaker = std::min(strikes[0].strength, strikes[1].strength);
+    alternate_races({.other_race = 0.2}, random, train);
+    const double weaker = std::min(train[0].strength, train[1].strength);
     EXPECT_GE(weaker, 0.2);
-    EXPECT_EQ(std::max(strikes[0].strength, strikes[1].strength), 1);
-    for (std::size_t k = 2; k < 20; ++k) EXPECT_EQ(strikes[k].strength, strikes[k - 2].strength);
+    EXPECT_EQ(std::max(train[0].strength, train[1].strength), 1);
+    for (std::size_t k = 2; k < 20; ++k) EXPECT_EQ(train[k].strength, train[k - 2].strength);
   }
   Train alike = train_of(4);
   Stream random("alike");
@@ -37,29 +37,29 @@ TEST(Ball, StrikesBothRacesInTurnOneOfThemLess) {
 }
 
 TEST(Ball, StaysStrictlyPeriodicWhereNothingTurnsIt) {
-  const Prior rigid{.other_race = 1, .new_phase = 0, .random_strikes = 0, .least_on_track = 1};
-  Train strikes = train_of(300);
+  const Prior rigid{.other_race = 1, .new_phase = 0, .random_impacts = 0, .least_on_track = 1};
+  Train train = train_of(300);
   Stream random("rigid");
-  alternate_races(rigid, random, strikes);
-  turn_between_passes(every_10_ms, ball_cage_hz, rigid, random, strikes);
-  scatter_in_time(3, rigid, random, strikes);
-  leave_track(every_10_ms, ball_cage_hz, 3, rigid, random, strikes);
+  alternate_races(rigid, random, train);
+  turn_between_passes(every_10_ms, ball_cage_hz, rigid, random, train);
+  scatter_in_time(3, rigid, random, train);
+  leave_track(every_10_ms, ball_cage_hz, 3, rigid, random, train);
   for (std::size_t i = 0; i < 300; ++i) {
-    EXPECT_EQ(strikes[i].time_s, 0.01 * static_cast<double>(i));
-    EXPECT_EQ(strikes[i].strength, 1);
+    EXPECT_EQ(train[i].time_s, 0.01 * static_cast<double>(i));
+    EXPECT_EQ(train[i].strength, 1);
   }
 }
 
 TEST(Ball, IsFoundAtANewPhaseByATurnOfTheCageAndKeepsItWithinThat) {
-  Train strikes = train_of(3000);
+  Train train = train_of(3000);
   Stream random("phase");
-  turn_between_passes(every_10_ms, ball_cage_hz, {.new_phase = 1}, random, strikes);
+  turn_between_passes(every_10_ms, ball_cage_hz, {.new_phase = 1}, random, train);
   Stream same("phase");
   const double probability = same.uniform(0, 1);
   int changes = 0;
   double last = 0;
-  for (std::size_t i = 0; i < strikes.size(); ++i) {
-    const double offset = strikes[i].time_s - 0.01 * static_cast<double>(i);
+  for (std::size_t i = 0; i < train.size(); ++i) {
+    const double offset = train[i].time_s - 0.01 * static_cast<double>(i);
     EXPECT_LE(std::abs(offset), 0.005 + 1e-12);
     changes += std::abs(offset - last) > 1e-9 ? 1 : 0;
     last = offset;
@@ -71,15 +71,15 @@ TEST(Ball, IsFoundAtANewPhaseByATurnOfTheCageAndKeepsItWithinThat) {
 
 TEST(Ball, StrikesADrawnShareAtAnyMoment) {
   for (int i = 0; i < 5; ++i) {
-    Train strikes = train_of(2000);
+    Train train = train_of(2000);
     const std::string name = "moments " + std::to_string(i);
     Stream random(name);
-    scatter_in_time(20, {.random_strikes = 0.5}, random, strikes);
+    scatter_in_time(20, {.random_impacts = 0.5}, random, train);
     Stream same(name);
     const double share = same.uniform(0, 1) * 0.5;
     std::vector<double> moved;
     for (std::size_t k = 0; k < 2000; ++k) {
-      const double time_s = strikes[k].time_s;
+      const double time_s = train[k].time_s;
       if (time_s != 0.01 * static_cast<double>(k)) moved.push_back(time_s / 20);
     }
     const auto count = static_cast<double>(moved.size());
@@ -95,15 +95,15 @@ TEST(Ball, StrikesADrawnShareAtAnyMoment) {
 TEST(Ball, MeetsItsTrackForADrawnShareOfTheTime) {
   double difference = 0;
   for (int i = 0; i < 40; ++i) {
-    Train strikes = train_of(20000);
+    Train train = train_of(20000);
     const std::string name = "track " + std::to_string(i);
     Stream random(name);
-    leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, strikes);
+    leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, train);
     Stream same(name);
     (void)same.uniform(0, 1);  // draws the memory first
     const double share = 0.1 + 0.9 * same.uniform(0, 1);
     int on_it = 0;
-    for (const auto& strike : strikes) {
+    for (const auto& strike : train) {
       ASSERT_TRUE(strike.strength == 1 || strike.strength == off_track);
       on_it += strike.strength == 1 ? 1 : 0;
     }
@@ -114,12 +114,12 @@ TEST(Ball, MeetsItsTrackForADrawnShareOfTheTime) {
 
 TEST(Ball, LeavesItsTrackForLongerThanAStrike) {
   // The memory is at least half a turn of the cage, here 4 impacts, so most neighbours are equal.
-  Train strikes = train_of(20000);
+  Train train = train_of(20000);
   Stream random("memory");
-  leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, strikes);
+  leave_track(every_10_ms, ball_cage_hz, 200, {.least_on_track = 0.1}, random, train);
   int changes = 0;
-  for (std::size_t i = 1; i < strikes.size(); ++i) {
-    changes += strikes[i].strength != strikes[i - 1].strength ? 1 : 0;
+  for (std::size_t i = 1; i < train.size(); ++i) {
+    changes += train[i].strength != train[i - 1].strength ? 1 : 0;
   }
   // A process with the correlation r from impact to impact crosses its median with the probability
   // acos(r) / pi, and any other threshold less often. r is at least exp(-0.01 12 / 0.5) = 0.787.

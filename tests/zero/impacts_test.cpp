@@ -41,32 +41,33 @@ TEST(Impacts, AreOfDefectsThatABallDoesNotRollOutOf) {
 }
 
 TEST(Impacts, StrikeTheSecondEdgeTheOtherWay) {
-  std::vector<impacts::Impact> strikes(2000);
+  std::vector<impacts::Impact> impact_times(2000);
   Stream random("exit");
-  add_second_edges(0.002, {.least_exit = 0.2}, random, strikes);
+  add_second_edges(0.002, {.least_exit = 0.2}, random, impact_times);
   double sum = 0;
   double squares = 0;
-  for (const auto& strike : strikes) {
-    EXPECT_EQ(strike.exit, strikes[0].exit);
+  for (const auto& strike : impact_times) {
+    EXPECT_EQ(strike.exit, impact_times[0].exit);
     sum += strike.lag_s;
     squares += strike.lag_s * strike.lag_s;
   }
-  EXPECT_GE(strikes[0].exit, 0.2);
-  EXPECT_LE(strikes[0].exit, 1);
+  EXPECT_GE(impact_times[0].exit, 0.2);
+  EXPECT_LE(impact_times[0].exit, 1);
   EXPECT_NEAR(sum / 2000, 0.002, 1e-5);
   EXPECT_NEAR(std::sqrt(squares / 2000 - std::pow(sum / 2000, 2)), 1e-4, 6e-6);
   // The excitation has the sign: 1 - exit exp(-2 pi i f lag), which is 1 - exit at 0 Hz.
-  EXPECT_NEAR(impacts::excitation({strikes[0]}, 2, 100)[0].real(), 1 - strikes[0].exit, 1e-12);
+  EXPECT_NEAR(impacts::excitation({impact_times[0]}, 2, 100)[0].real(), 1 - impact_times[0].exit,
+              1e-12);
 }
 
 TEST(Impacts, HaveARoughFloorAsLongAsTheBallIsOnIt) {
-  std::vector<impacts::Impact> strikes{{.time_s = 0.01, .strength = 1}};
+  std::vector<impacts::Impact> impact_times{{.time_s = 0.01, .strength = 1}};
   double energies = 0;
   double expected = 0;
   for (int i = 0; i < 300; ++i) {
     const std::string name = "floor " + std::to_string(i);
     Stream random(name);
-    const Eigen::ArrayXd floor = draw_rough_floor(strikes, 0.02, 1024, 12000, random);
+    const Eigen::ArrayXd floor = draw_rough_floor(impact_times, 0.02, 1024, 12000, random);
     EXPECT_TRUE(floor.head(120).isZero(0));
     EXPECT_TRUE(floor.tail(1024 - 360).isZero(0));
     EXPECT_FALSE(floor.segment(120, 240).isZero(0));

@@ -18,9 +18,9 @@ TEST(Impulses, ComeAtTheKinematicRateAndNothingElse) {
   const signal::MadeWindow made =
       add_impulses(machine, {}, scene_of(healthy, bearing::Defect::outer), Stream("window"));
   const double period_s = 1 / (30 * 4.5 * (1 - 7.94 / 39));
-  ASSERT_NEAR(static_cast<double>(made.strikes_s->size()), 4096 / 12000.0 / period_s, 1);
-  for (std::size_t i = 1; i < made.strikes_s->size(); ++i) {
-    EXPECT_NEAR(made.strikes_s->at(i) - made.strikes_s->at(i - 1), period_s, 1e-9);
+  ASSERT_NEAR(static_cast<double>(made.impact_times_s->size()), 4096 / 12000.0 / period_s, 1);
+  for (std::size_t i = 1; i < made.impact_times_s->size(); ++i) {
+    EXPECT_NEAR(made.impact_times_s->at(i) - made.impact_times_s->at(i - 1), period_s, 1e-9);
   }
   EXPECT_FALSE(made.parameters);
 }
@@ -47,14 +47,14 @@ TEST(Impulses, ExciteOneDampedResonanceAtTheDrawnLevel) {
   const signal::WindowSet healthy = healthy_windows();
   const Machine machine(healthy);
   // A third of half the sampling rate is 2 kHz. At 20 dB the healthy window has 1 % of the power.
-  const ImpulseOptions loud{.lowest_part = 1.0 / 3,
-                            .highest_part = 1.0 / 3,
-                            .least_damping = 0.02,
-                            .largest_damping = 0.02,
-                            .least_level_db = 20,
-                            .largest_level_db = 20};
+  const ImpulseOptions high_level{.lowest_part = 1.0 / 3,
+                                  .highest_part = 1.0 / 3,
+                                  .least_damping = 0.02,
+                                  .largest_damping = 0.02,
+                                  .least_level_db = 20,
+                                  .largest_level_db = 20};
   const Scene scene = scene_of(healthy, bearing::Defect::inner);
-  const signal::MadeWindow made = add_impulses(machine, loud, scene, Stream("window"));
+  const signal::MadeWindow made = add_impulses(machine, high_level, scene, Stream("window"));
   // Half of the power is within the half-power width of 2 zeta f = 80 Hz; 0.94 is within 10 such
   // widths.
   EXPECT_GT(share_at(made.samples, 1600, 2400), 0.88);

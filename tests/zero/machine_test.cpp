@@ -32,7 +32,8 @@ TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindo
     const Scene scene = machine.draw_scene(2, i, random);
     ASSERT_EQ(scene.condition, static_cast<std::int32_t>(i % 2));
     // A 6205 has 3.5848 impacts per turn on its outer race: 4.5 (1 - 7.94 / 39).
-    ASSERT_NEAR(scene.strike_hz / (scene.shaft_speed_rpm / 60), 4.5 * (1 - 7.94 / 39), 1e-9);
+    ASSERT_NEAR(scene.impact_frequency_hz / (scene.shaft_speed_rpm / 60), 4.5 * (1 - 7.94 / 39),
+                1e-9);
     EXPECT_EQ(scene.defect, bearing::Defect::outer);
     speeds.insert(scene.shaft_speed_rpm);
   }

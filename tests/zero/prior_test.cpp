@@ -26,7 +26,7 @@ TEST(PriorOptions, ComeFromTheCommandLine) {
       "--slip 0 --ball-random 0.25 --ball-track 1 --both-races 1 --load-zone off --edges off "
       "--resonances 1 --healthy-structure 0 --level-from-db -5 --size-to-mm 2 --stray-knocks 0");
   EXPECT_EQ(prior.slip, 0);
-  EXPECT_EQ(prior.random_strikes, 0.25);
+  EXPECT_EQ(prior.random_impacts, 0.25);
   EXPECT_EQ(prior.least_on_track, 1);
   EXPECT_EQ(prior.other_race, 1);
   EXPECT_EQ(prior.load_zone, Switch::off);
@@ -35,7 +35,7 @@ TEST(PriorOptions, ComeFromTheCommandLine) {
   EXPECT_EQ(prior.healthy_structure, 0);
   EXPECT_EQ(prior.least_level_db, -5);
   EXPECT_EQ(prior.largest_size_mm, 2);
-  EXPECT_EQ(prior.stray_knocks, 0);
+  EXPECT_EQ(prior.stray_impacts, 0);
   EXPECT_THROW(prior_of("--slip 0.5"), cli::Refused);
   EXPECT_THROW(prior_of("--damping-ratio-from 0"), cli::Refused);
   EXPECT_THROW(prior_of("--resonances 0"), cli::Refused);

@@ -27,12 +27,12 @@ Prior plain() {
   prior.load.scatter = 0;
   prior.other_race = 1;
   prior.new_phase = 0;
-  prior.random_strikes = 0;
+  prior.random_impacts = 0;
   prior.least_on_track = 1;
   prior.roughness = 0;
   prior.background_db = 0;
   prior.modulation = 0;
-  prior.stray_knocks = 0;
+  prior.stray_impacts = 0;
   return prior;
 }
 
@@ -43,9 +43,9 @@ TEST(ZeroTwin, StrikesABallThatNothingTurnsStrictlyInItsRhythm) {
   const signal::MadeWindow made = Twin(machine, plain()).make(scene, Stream("window"));
   // 2 BSF of a 6205 at 30 turns a second.
   const double period_s = 1 / (30 * 39 / 7.94 * (1 - std::pow(7.94 / 39, 2)));
-  ASSERT_NEAR(static_cast<double>(made.strikes_s->size()), 4096 / 12000.0 / period_s, 1);
-  for (std::size_t i = 1; i < made.strikes_s->size(); ++i) {
-    EXPECT_NEAR(made.strikes_s->at(i) - made.strikes_s->at(i - 1), period_s, 1e-9);
+  ASSERT_NEAR(static_cast<double>(made.impact_times_s->size()), 4096 / 12000.0 / period_s, 1);
+  for (std::size_t i = 1; i < made.impact_times_s->size(); ++i) {
+    EXPECT_NEAR(made.impact_times_s->at(i) - made.impact_times_s->at(i - 1), period_s, 1e-9);
   }
 }
 
@@ -62,14 +62,15 @@ TEST(ZeroTwin, SlipsWithItsCage) {
   double fastest_s = 1;
   double slowest_s = 0;
   for (int i = 0; i < 8; ++i) {
-    const std::vector<double> strikes =
-        *Twin(machine, prior).make(scene, Stream("slip " + std::to_string(i))).strikes_s;
-    const double period_s = strikes.at(2) - strikes.at(1) < strikes.at(1) - strikes.at(0)
-                                ? strikes[2] - strikes[1]
-                                : strikes[1] - strikes[0];
+    const std::vector<double> impact_times =
+        *Twin(machine, prior).make(scene, Stream("slip " + std::to_string(i))).impact_times_s;
+    const double period_s =
+        impact_times.at(2) - impact_times.at(1) < impact_times.at(1) - impact_times.at(0)
+            ? impact_times[2] - impact_times[1]
+            : impact_times[1] - impact_times[0];
     std::vector<double> passes;
-    for (std::size_t k = 1; k < strikes.size(); ++k) {
-      if (strikes[k] - strikes[k - 1] > 1.5 * period_s) passes.push_back(strikes[k]);
+    for (std::size_t k = 1; k < impact_times.size(); ++k) {
+      if (impact_times[k] - impact_times[k - 1] > 1.5 * period_s) passes.push_back(impact_times[k]);
     }
     ASSERT_GT(passes.size(), 50U);
     const double cage_s = (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
@@ -84,7 +85,7 @@ TEST(ZeroTwin, SlipsWithItsCage) {
 
 /// Returns the level of everything that a window adds to the healthy window, played forwards or
 /// backwards, relative to the healthy window.
-double level_beside_db(const signal::MadeWindow& made, const Scene& scene) {
+double level_to_healthy_db(const signal::MadeWindow& made, const Scene& scene) {
   Eigen::ArrayXd healthy =
       Eigen::Map<const Eigen::ArrayXf>(scene.healthy.data(), std::ssize(scene.healthy))
           .cast<double>();
@@ -104,22 +105,22 @@ TEST(ZeroTwin, KnocksAtTheirLevelOverTheBackground) {
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::outer);
   Prior prior = plain();  // leaves only the stray impacts
-  prior.stray_knocks = 1;
+  prior.stray_impacts = 1;
   prior.least_level_db = -300;
   prior.largest_level_db = -300;
-  double quietest_db = 0;
-  double loudest_db = 0;
+  double lowest_db = 0;
+  double highest_db = 0;
   double sum_db = 0;
   for (int i = 0; i < 300; ++i) {
-    const double db = level_beside_db(
+    const double db = level_to_healthy_db(
         Twin(machine, prior).make(scene, Stream("knocks " + std::to_string(i))), scene);
-    quietest_db = std::min(quietest_db, db);
-    loudest_db = std::max(loudest_db, db);
+    lowest_db = std::min(lowest_db, db);
+    highest_db = std::max(highest_db, db);
     sum_db += db;
   }
   // Uniform from -15 to 5 dB. Stray impacts and background are slightly correlated in 4096 samples.
-  EXPECT_NEAR(quietest_db, -15, 0.7);
-  EXPECT_NEAR(loudest_db, 5, 0.7);
+  EXPECT_NEAR(lowest_db, -15, 0.7);
+  EXPECT_NEAR(highest_db, 5, 0.7);
   EXPECT_NEAR(sum_db / 300, -5, 4 * 20 / std::sqrt(12.0 * 300));
 }
 
@@ -183,9 +184,9 @@ TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
         [&](const Scene& scene, const Stream& random) { return twin.make(scene, random); });
     ASSERT_EQ(made.samples.size(), 300 * length);
     EXPECT_TRUE(std::ranges::all_of(made.samples, [](float x) { return std::isfinite(x); }));
-    for (const std::vector<double>& strikes : made.strikes_s) {
-      EXPECT_TRUE(std::ranges::is_sorted(strikes));
-      for (const double time_s : strikes) {
+    for (const std::vector<double>& impact_times : made.impact_times_s) {
+      EXPECT_TRUE(std::ranges::is_sorted(impact_times));
+      for (const double time_s : impact_times) {
         EXPECT_GE(time_s, 0);
         EXPECT_LT(time_s, static_cast<double>(length) / 12000);
       }
@@ -198,12 +199,12 @@ TEST(ZeroTwin, KeepsAllElseWhereOnePartIsTakenAway) {
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::inner);
   Prior without;
-  without.stray_knocks = 0;
+  without.stray_impacts = 0;
   without.modulation = 0;
   without.roughness = 0;
   const signal::MadeWindow all = Twin(machine, {}).make(scene, Stream("window"));
   const signal::MadeWindow fewer = Twin(machine, without).make(scene, Stream("window"));
-  EXPECT_EQ(all.strikes_s, fewer.strikes_s);
+  EXPECT_EQ(all.impact_times_s, fewer.impact_times_s);
   EXPECT_EQ(all.parameters->stiffness_n_per_m, fewer.parameters->stiffness_n_per_m);
   EXPECT_NE(all.samples, fewer.samples);
 }

@@ -43,9 +43,9 @@ class TwinOnTorch final : public twin::TwinBackend {
       : task_(std::move(task)),
         networks_(task_.variant, task_.shape, task_.options),
         stencil_(twin::stencil_of(task_.options.derivatives)),
-        reading_{.squares = task_.options.squares,
-                 .mmd = task_.options.mmd,
-                 .residual = task_.options.residual},
+        interpretation_{.squares = task_.options.squares,
+                        .mmd = task_.options.mmd,
+                        .residual = task_.options.residual},
         specs_(twin::with_log_weights(networks_.specs())),
         windows_(torch::tensor(task_.windows).view({-1, task_.shape.samples}).to(device)),
         labels_(torch::tensor(task_.labels, torch::kInt64).to(device)),
@@ -119,14 +119,16 @@ class TwinOnTorch final : public twin::TwinBackend {
     const torch::Tensor one_hot = torch::one_hot(labels, task_.shape.classes).to(x.options());
     const States states = states_of(batch, x);
     const torch::Tensor a = networks_.decode(parameters_, states.decoder_input, one_hot);
-    if (!task_.variant.physics) return reconstruction_alone(reconstruction_loss(x, a, reading_));
+    if (!task_.variant.physics)
+      return reconstruction_alone(reconstruction_loss(x, a, interpretation_));
     const Motion motion = networks_.move(parameters_, a);
     Losses losses;
-    losses.reconstruction = reconstruction_loss(x, a, reading_);
-    losses.differential = differential_loss(motion, a, task_.physics.step, stencil_, reading_);
+    losses.reconstruction = reconstruction_loss(x, a, interpretation_);
+    losses.differential =
+        differential_loss(motion, a, task_.physics.step, stencil_, interpretation_);
     losses.twin =
         twin_loss(states.k_and_c, a, motion, batch_physics(task_.physics, labels, x.options()),
-                  task_.physics, reading_);
+                  task_.physics, interpretation_);
     losses.total = total_of(losses);
     return losses;
   }
@@ -174,7 +176,7 @@ class TwinOnTorch final : public twin::TwinBackend {
   twin::TwinTask task_;
   Networks networks_;
   twin::Stencil stencil_;
-  twin::LossReading reading_;
+  twin::LossInterpretation interpretation_;
   std::vector<nets::ParameterSpec> specs_;
   torch::Tensor windows_;  // all known windows, [n, N]
   torch::Tensor labels_;   // [n]

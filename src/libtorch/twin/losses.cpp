@@ -117,17 +117,19 @@ torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y) {
 }
 
 torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a,
-                                  const twin::LossReading& reading) {
-  return squares_of(x - a, reading.squares) + mmd_of(x, a, reading.mmd);
+                                  const twin::LossInterpretation& interpretation) {
+  return squares_of(x - a, interpretation.squares) + mmd_of(x, a, interpretation.mmd);
 }
 
 torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step,
-                                const twin::Stencil& stencil, const twin::LossReading& reading) {
+                                const twin::Stencil& stencil,
+                                const twin::LossInterpretation& interpretation) {
   const torch::Tensor inner = a.narrow(1, stencil.reach, a.size(1) - 2 * stencil.reach);
   const torch::Tensor second = derivative(motion.displacement, stencil.second, 1 / (step * step));
   const torch::Tensor first = derivative(motion.velocity, stencil.first, 1 / step);
-  return squares_of(second - inner, reading.squares) + squares_of(first - inner, reading.squares) +
-         mmd_of(second, inner, reading.mmd) + mmd_of(first, inner, reading.mmd);
+  return squares_of(second - inner, interpretation.squares) +
+         squares_of(first - inner, interpretation.squares) +
+         mmd_of(second, inner, interpretation.mmd) + mmd_of(first, inner, interpretation.mmd);
 }
 
 BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& labels,
@@ -154,7 +156,7 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
 
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
                         const BatchPhysics& batch, const twin::Physics& physics,
-                        const twin::LossReading& reading) {
+                        const twin::LossInterpretation& interpretation) {
   const torch::Tensor k = k_and_c.narrow(1, 0, 1);
   const torch::Tensor c = k_and_c.narrow(1, 1, 1);
   const torch::Tensor s_0 = static_equilibrium(k * twin::stiffness_scale_n_per_m, batch, physics);
@@ -164,8 +166,9 @@ torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, co
                                 batch.force;
   const torch::Tensor residual =
       a + physics.damping * c * motion.velocity + k * motion.displacement + contact;
-  return averaged(reading.residual == twin::Residual::squared ? residual.square() : residual.abs(),
-                  reading.squares);
+  return averaged(
+      interpretation.residual == twin::Residual::squared ? residual.square() : residual.abs(),
+      interpretation.squares);
 }
 
 }  // namespace piae::libtorch

@@ -18,14 +18,14 @@ torch::Tensor batch_mmd(const torch::Tensor& x, const torch::Tensor& y);
 /// L_Rec, eq. 20: returns the mean squared error of the decoded acceleration a, plus the MMD of a
 /// and x.
 torch::Tensor reconstruction_loss(const torch::Tensor& x, const torch::Tensor& a,
-                                  const twin::LossReading& reading = {});
+                                  const twin::LossInterpretation& interpretation = {});
 
 /// L_DDL, eq. 21: compares the second derivative of the displacement and the first derivative of
 /// the velocity with the acceleration, by squares and by MMD, at the samples that the stencil
 /// reaches. `step` is the dimensionless time between two samples.
 torch::Tensor differential_loss(const Motion& motion, const torch::Tensor& a, double step,
                                 const twin::Stencil& stencil,
-                                const twin::LossReading& reading = {});
+                                const twin::LossInterpretation& interpretation = {});
 
 /// Constants of eq. 22 for each window of a batch, as tensors [batch, 1] except where noted.
 struct BatchPhysics {
@@ -44,6 +44,6 @@ BatchPhysics batch_physics(const twin::Physics& physics, const torch::Tensor& la
 /// the static equilibrium.
 torch::Tensor twin_loss(const torch::Tensor& k_and_c, const torch::Tensor& a, const Motion& motion,
                         const BatchPhysics& batch, const twin::Physics& physics,
-                        const twin::LossReading& reading = {});
+                        const twin::LossInterpretation& interpretation = {});
 
 }  // namespace piae::libtorch

@@ -1,6 +1,6 @@
 #include "libtorch/wdcnn/backend.hpp"
 
-#include "diagnosis/wdcnn_parameters.hpp"
+#include "diagnosis/wdcnn_weights.hpp"
 #include "libtorch/nets/adam.hpp"
 #include "libtorch/nets/device.hpp"
 #include "libtorch/nets/torch.hpp"

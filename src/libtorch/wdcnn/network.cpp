@@ -3,7 +3,7 @@
 #include <string>
 #include <tuple>
 
-#include "diagnosis/wdcnn_parameters.hpp"
+#include "diagnosis/wdcnn_weights.hpp"
 #include "libtorch/nets/torch.hpp"
 
 namespace piae::libtorch {

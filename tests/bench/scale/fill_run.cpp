@@ -14,9 +14,9 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "cli/stage.hpp"
-#include "plan/asked.hpp"
 #include "plan/experiment.hpp"
 #include "plan/plan.hpp"
+#include "plan/request_options.hpp"
 #include "run/layout.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/quality_record.hpp"
@@ -201,7 +201,7 @@ void fill_run(const plan::Request& request) {
   const plan::Experiment experiment = plan::read_experiment("pipeline");
   plan::Plan plan(experiment, plan::choose(experiment, request), plan::Stretch::grid, filled);
   std::size_t count = 0;
-  for (const plan::StepId id : plan.asked()) {
+  for (const plan::StepId id : plan.requested()) {
     const plan::Step& step = plan.graph().at(id);
     // A judge caches its findings, so each step needs its own.
     const artefact::Made made = plan::Judge(plan.graph(), filled).made_now(id).made;
@@ -220,7 +220,7 @@ void fill_run(const plan::Request& request) {
 int main(int argc, char** argv) {
   piae::cli::Stage stage("fill_run", "Writes what the steps of a grid would make.",
                          "GOALS=cells RUN=try DATASETS=cwru fill_run");
-  piae::plan::Asked asked;
-  bind(stage.options(), asked);
-  return stage.run(argc, argv, [&] { piae::fill_run(asked.request()); });
+  piae::plan::RequestOptions requested;
+  bind(stage.options(), requested);
+  return stage.run(argc, argv, [&] { piae::fill_run(requested.request()); });
 }

@@ -28,8 +28,8 @@ std::string recording(double loudness) {
   Stream noise("recording");
   std::string text;
   for (int i = 0; i < 72000; ++i) {
-    const double since_strike = i % 80;
-    text += std::to_string(loudness * std::exp(-since_strike / 12) * std::sin(since_strike) +
+    const double since_impact = i % 80;
+    text += std::to_string(loudness * std::exp(-since_impact / 12) * std::sin(since_impact) +
                            noise.normal(0, 0.1)) +
             '\n';
   }

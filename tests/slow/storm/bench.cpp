@@ -24,13 +24,13 @@ bool names(const std::string& line, const std::string& file) {
 /// Describes a hang, crash or memory use that no program may show for any input; "" if there is
 /// none.
 std::string out_of_bounds(const std::string& program, const Outcome& outcome) {
-  const std::string said = "; it said: " + outcome.err + outcome.out;
-  if (outcome.hung) return program + " ran for more than 20 s" + said;
+  const std::string printed = "; it said: " + outcome.err + outcome.out;
+  if (outcome.hung) return program + " ran for more than 20 s" + printed;
   if (outcome.status > 128) {
-    return program + " was ended by signal " + std::to_string(outcome.status - 128) + said;
+    return program + " was ended by signal " + std::to_string(outcome.status - 128) + printed;
   }
   if (outcome.peak_mb > most_mb) {
-    return program + " took " + std::to_string(outcome.peak_mb) + " MB" + said;
+    return program + " took " + std::to_string(outcome.peak_mb) + " MB" + printed;
   }
   return {};
 }
@@ -38,19 +38,20 @@ std::string out_of_bounds(const std::string& program, const Outcome& outcome) {
 std::string odd_of_verify(const std::string& file, const Outcome& verified) {
   const std::string bad = out_of_bounds("verify", verified);
   if (!bad.empty()) return bad;
-  const std::string said = "; it said: " + verified.err + verified.out;
-  if (!verified.err.empty()) return "verify printed errors" + said;
-  if (verified.status == 0) return verified.out.empty() ? "" : "verify found all good, but" + said;
+  const std::string printed = "; it said: " + verified.err + verified.out;
+  if (!verified.err.empty()) return "verify printed errors" + printed;
+  if (verified.status == 0)
+    return verified.out.empty() ? "" : "verify found all good, but" + printed;
   constexpr int reasons = 1 | 4 | 8 | 16 | 32;
   if ((verified.status & ~reasons) != 0) {
-    return "verify ended with " + std::to_string(verified.status) + said;
+    return "verify ended with " + std::to_string(verified.status) + printed;
   }
   std::istringstream lines(verified.out);
   std::string line;
   bool any = false;
   while (std::getline(lines, line)) {
     any = true;
-    if (!names(line, file)) return "verify does not name the file" + said;
+    if (!names(line, file)) return "verify does not name the file" + printed;
   }
   return any ? "" : "verify refused without a word";
 }
@@ -110,24 +111,24 @@ std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
   std::string bad = odd_of_verify(consumer.file, verified);
   if (bad.empty()) bad = out_of_bounds(consumer.stage, outcome);
   if (!bad.empty()) return bad;
-  const std::string said = "; it said: " + outcome.err + outcome.out;
+  const std::string printed = "; it said: " + outcome.err + outcome.out;
   const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };
   if (outcome.status == 0) {
     const Contents& expected = made_of_good_.at({consumer.file, consumer.stage});
     const bool as_good = std::ranges::equal(made, expected, same_name);
-    return as_good ? "" : consumer.stage + " left other files than of the good artefact" + said;
+    return as_good ? "" : consumer.stage + " left other files than of the good artefact" + printed;
   }
-  if (!made.empty()) return consumer.stage + " refused and left " + made.begin()->first + said;
+  if (!made.empty()) return consumer.stage + " refused and left " + made.begin()->first + printed;
   // The options are good, so an error is due to the data; only training may also diverge.
   const std::string line = last_line(outcome.err);
   const bool diverged = outcome.status == 1 && line.find("diverge") != std::string::npos;
   if (outcome.status != 65 && !diverged) {
-    return consumer.stage + " ended with " + std::to_string(outcome.status) + said;
+    return consumer.stage + " ended with " + std::to_string(outcome.status) + printed;
   }
-  if (!line.starts_with(consumer.stage + ": ")) return "an error without its stage" + said;
+  if (!line.starts_with(consumer.stage + ": ")) return "an error without its stage" + printed;
   // tabulate lists all refused files before its last line.
   if (!diverged && !names(outcome.err, consumer.file)) {
-    return consumer.stage + " does not name the file" + said;
+    return consumer.stage + " does not name the file" + printed;
   }
   return {};
 }

@@ -12,11 +12,11 @@ using namespace piae::storm;
 
 int main(int argc, char** argv) {
   try {
-    const Asked asked = asked_by(argc, argv);
-    Tally tally("flips", asked);
-    Workbench bench(asked.corpus, asked.folder / "work", asked.programs);
+    const Requested requested = requested_by(argc, argv);
+    Tally tally("flips", requested);
+    Workbench bench(requested.corpus, requested.folder / "work", requested.programs);
     while (!tally.finished()) {
-      Dice dice(asked.seed, tally.done());
+      Dice dice(requested.seed, tally.done());
       const Consumer& consumer = bench.consumers()[tally.done() % bench.consumers().size()];
       std::string bytes = bench.good(consumer);
       const std::size_t bit = dice.below(bytes.size() * 8);

@@ -51,9 +51,10 @@ struct Input {
 
 class Inputs {
  public:
-  Inputs(const Asked& asked, fs::path folder) : seed_(asked.seed), folder_(std::move(folder)) {
+  Inputs(const Requested& requested, fs::path folder)
+      : seed_(requested.seed), folder_(std::move(folder)) {
     for (const Target& target : targets()) {
-      const fs::path from = asked.corpus.parent_path() / "inputs" / target.name;
+      const fs::path from = requested.corpus.parent_path() / "inputs" / target.name;
       fs::create_directories(folder_ / target.name);
       std::vector<Seed>& seeds = seeds_[target.name];
       for (const auto& entry : fs::directory_iterator(from)) {
@@ -126,9 +127,9 @@ class Inputs {
 };
 
 /// Letter that the child reports for an input; for a miss, a file holds the reason.
-enum Said : char { refused = 'r', accepted = 'a', missed = 'm' };
+enum Verdict : char { refused = 'r', accepted = 'a', missed = 'm' };
 
-Said read(const Input& input, const fs::path& reason) {
+Verdict read(const Input& input, const fs::path& reason) {
   std::string what;
   try {
     input.target->read(input.file);
@@ -192,7 +193,7 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
     fs::remove(place.words);
     write_bytes(place.words, inputs.make(i));
     const Input input = inputs.choose(i);
-    const Said said = read(input, place.reason);
+    const Verdict said = read(input, place.reason);
     if (!fs::is_empty(place.reports)) {
       if (!only_lacks_memory(report_in(place.reports), *input.target)) ::_exit(3);
       (void)take_report(place.reports);
@@ -226,11 +227,12 @@ bool died_in_libraries(const std::string& report) {
 
 class Storm {
  public:
-  explicit Storm(const Asked& asked)
-      : asked_(asked),
-        inputs_(asked, asked.folder / "work"),
-        tally_("inputs", asked),
-        place_{asked.folder / "reports", asked.folder / "words", asked.folder / "reason"} {
+  explicit Storm(const Requested& requested)
+      : requested_(requested),
+        inputs_(requested, requested.folder / "work"),
+        tally_("inputs", requested),
+        place_{requested.folder / "reports", requested.folder / "words",
+               requested.folder / "reason"} {
     fs::create_directories(place_.reports);
     (void)take_report(place_.reports);
   }
@@ -242,7 +244,7 @@ class Storm {
               << " of these ended inside HDF5 or matio, and the programs "
               << "refused them; " << unmade_ << " ended HDF5 while they were made\n";
     const int status = tally_.finish();
-    if (100 * unmade_ <= asked_.count) return status;
+    if (100 * unmade_ <= requested_.count) return status;
     std::cerr << "inputs: more than one in a hundred could not be made: too little was tried\n";
     return 1;
   }
@@ -252,10 +254,10 @@ class Storm {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
     const pid_t child = ::fork();
-    if (child == 0) be_the_child(inputs_, place_, tally_.done(), asked_.count, pipe[1]);
+    if (child == 0) be_the_child(inputs_, place_, tally_.done(), requested_.count, pipe[1]);
     if (child < 0) throw std::runtime_error("fork failed");
     ::close(pipe[1]);
-    const End end = listen(pipe[0]);
+    const End end = receive(pipe[0]);
     const bool hung = end == End::silence;
     ::close(pipe[0]);
     if (hung) ::kill(child, SIGKILL);
@@ -275,7 +277,7 @@ class Storm {
   enum class End { missed, ended, silence };
 
   /// Counts the child's letters until it is silent.
-  End listen(int from) {
+  End receive(int from) {
     char letter = 0;
     for (;;) {
       pollfd ready{from, POLLIN, 0};
@@ -306,7 +308,7 @@ class Storm {
     const bool is_made = fs::exists(place_.words);
     std::string what;  // empty if it ended before any reader saw the input
     if (is_made) {
-      what = in_libraries ? failure_of_programs(*input.target, input.file, asked_.programs)
+      what = in_libraries ? failure_of_programs(*input.target, input.file, requested_.programs)
                           : how + "\n" + report;
     }
     if (!what.empty()) return miss(what);
@@ -315,7 +317,7 @@ class Storm {
     tally_.add(Tally::Result::refused);
   }
 
-  Asked asked_;
+  Requested requested_;
   Inputs inputs_;
   Tally tally_;
   Place place_;
@@ -328,7 +330,7 @@ class Storm {
 int main(int argc, char** argv) {
   omp_set_num_threads(1);  // OpenMP threads do not survive a fork
   try {
-    return Storm(asked_by(argc, argv)).run();
+    return Storm(requested_by(argc, argv)).run();
   } catch (const std::exception& error) {
     std::cerr << "inputs: " << error.what() << '\n';
     return 2;

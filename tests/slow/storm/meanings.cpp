@@ -34,11 +34,11 @@ std::string judge(Workbench& bench, const Consumer& consumer, Dice& dice, Tally&
 
 int main(int argc, char** argv) {
   try {
-    const Asked asked = asked_by(argc, argv);
-    Tally tally("meanings", asked);
-    Workbench bench(asked.corpus, asked.folder / "work", asked.programs);
+    const Requested requested = requested_by(argc, argv);
+    Tally tally("meanings", requested);
+    Workbench bench(requested.corpus, requested.folder / "work", requested.programs);
     while (!tally.finished()) {
-      Dice dice(asked.seed, tally.done());
+      Dice dice(requested.seed, tally.done());
       const Consumer& consumer = bench.consumers()[tally.done() % bench.consumers().size()];
       auto result = Tally::Result::missed;
       judge(bench, consumer, dice, tally, result);

@@ -19,15 +19,15 @@ double seconds_since(Clock::time_point time) {
 
 }  // namespace
 
-Asked asked_by(int argc, char** argv) {
+Requested requested_by(int argc, char** argv) {
   if (argc != 6) {
     throw std::runtime_error("usage: " + std::string(argv[0]) + " CORPUS FOLDER COUNT SEED BIN");
   }
   return {argv[1], argv[2], std::stoul(argv[3]), std::stoul(argv[4]), argv[5]};
 }
 
-Tally::Tally(std::string part, const Asked& asked)
-    : part_(std::move(part)), folder_(asked.folder), count_(asked.count) {
+Tally::Tally(std::string part, const Requested& requested)
+    : part_(std::move(part)), folder_(requested.folder), count_(requested.count) {
   std::filesystem::create_directories(folder_);
   if (!std::filesystem::exists(folder_ / "count")) return;
   std::istringstream(bytes_of(folder_ / "count")) >> done_ >> refused_ >> accepted_ >> missed_;

@@ -8,7 +8,7 @@
 namespace piae::storm {
 
 /// Arguments of a part of the storm: PROGRAM CORPUS FOLDER COUNT SEED BIN.
-struct Asked {
+struct Requested {
   std::filesystem::path corpus;
   std::filesystem::path folder;  ///< state and findings of this run
   std::size_t count = 0;
@@ -17,13 +17,13 @@ struct Asked {
 };
 
 /// Reads the arguments. Throws std::runtime_error with the usage.
-Asked asked_by(int argc, char** argv);
+Requested requested_by(int argc, char** argv);
 
 /// Counts the result of each input and stores the counts in the folder, so that an interrupted
 /// storm continues.
 class Tally {
  public:
-  Tally(std::string part, const Asked& asked);
+  Tally(std::string part, const Requested& requested);
 
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] bool finished() const { return done_ >= count_; }

@@ -88,7 +88,7 @@ std::vector<double> recorded_samples() {
 }
 
 /// Classifies the windows of a recording as `classify` does.
-void ask_classifier(const fs::path& file) {
+void load_classifier(const fs::path& file) {
   diagnosis::KeptClassifier kept(artefact::Reader(file, "classifier"));
   diagnosis::require_fitting_signal(kept.info(), recorded_hz, recorded_rpm, file.string());
   const classification::Recording recording{.name = file.string(),
@@ -103,7 +103,7 @@ void ask_classifier(const fs::path& file) {
 void read_artefact(const fs::path& file) {
   const std::vector<verification::Finding> findings = verification::verify({file});
   if (!findings.empty()) throw Error(Exit::bad_input, findings.front().line);
-  if (is_classifier(file)) ask_classifier(file);
+  if (is_classifier(file)) load_classifier(file);
 }
 
 constexpr std::array<Target, 13> all{{

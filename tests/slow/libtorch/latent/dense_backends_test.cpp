@@ -30,10 +30,10 @@ std::vector<float> first_moments(const LatentBackend& backend, const std::string
                              "/adam/" + adam);
 }
 
-class DenseLatentsBesideLibtorch : public testing::TestWithParam<Case> {};
+class DenseLatentsAgainstLibtorch : public testing::TestWithParam<Case> {};
 
 // Adam's moments are sums of gradients. The last batch is smaller than the others.
-TEST_P(DenseLatentsBesideLibtorch, StepAsLibtorchDoes) {
+TEST_P(DenseLatentsAgainstLibtorch, StepAsLibtorchDoes) {
   const LatentTask task = example_task(50, 3, 7, 24);
   const auto mine = GetParam().native(task);
   const auto theirs = GetParam().libtorch(task);
@@ -61,7 +61,7 @@ TEST_P(DenseLatentsBesideLibtorch, StepAsLibtorchDoes) {
 const WganGpOptions two_critic_steps{.critic_steps = 2};
 
 INSTANTIATE_TEST_SUITE_P(
-    Latent, DenseLatentsBesideLibtorch,
+    Latent, DenseLatentsAgainstLibtorch,
     testing::Values(
         Case{"Vae",
              [](const LatentTask& task) { return latent::vae(task, Stream("i"), Device::cpu); },

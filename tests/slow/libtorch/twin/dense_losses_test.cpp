@@ -41,7 +41,7 @@ torch::Tensor gradient(const torch::Tensor& loss, const torch::Tensor& by) {
   return torch::autograd::grad({loss}, {by}, {}, /*retain_graph=*/true)[0];
 }
 
-TEST(BatchMmdBesideLibtorch, IsLibtorchsWithItsGradients) {
+TEST(BatchMmdAgainstLibtorch, IsLibtorchsWithItsGradients) {
   const Array x = random_array("x", 3, 17);
   const Array y = random_array("y", 5, 17, 1.5);
   Array by_x = Array::Ones(3, 17);  // add_batch_mmd adds to this
@@ -55,9 +55,9 @@ TEST(BatchMmdBesideLibtorch, IsLibtorchsWithItsGradients) {
   expect_equal(by_y, gradient(mmd, ty));
 }
 
-class TwinLossesBesideLibtorch : public testing::TestWithParam<twin::LossReading> {};
+class TwinLossesAgainstLibtorch : public testing::TestWithParam<twin::LossInterpretation> {};
 
-TEST_P(TwinLossesBesideLibtorch, ReconstructionIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, ReconstructionIsLibtorchs) {
   const Array x = random_array("x", 4, 33);
   const Array a = random_array("a", 4, 33, 0.7);
   const twin::LossOf<double> mine = twin::reconstruction_loss<double>(x, a, GetParam());
@@ -67,7 +67,7 @@ TEST_P(TwinLossesBesideLibtorch, ReconstructionIsLibtorchs) {
   expect_equal(mine.by_acceleration, gradient(theirs, ta));
 }
 
-TEST_P(TwinLossesBesideLibtorch, DifferentialIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, DifferentialIsLibtorchs) {
   const twin::BatchMotion<double> motion{random_array("u", 4, 40), random_array("v", 4, 40),
                                          random_array("a", 4, 40)};
   for (const auto derivatives : {twin::Derivatives::central, twin::Derivatives::spectral}) {
@@ -88,7 +88,7 @@ TEST_P(TwinLossesBesideLibtorch, DifferentialIsLibtorchs) {
 /// Takes the contacts of two classes. Displacements are so large that balls lift off in some
 /// samples.
 void expect_twin_loss_of_libtorch(const std::vector<twin::Contact>& contacts,
-                                  const twin::LossReading& reading) {
+                                  const twin::LossInterpretation& reading) {
   twin::Physics physics;
   physics.mass_kg = 1.3;
   physics.load_n = 1000;
@@ -119,12 +119,12 @@ void expect_twin_loss_of_libtorch(const std::vector<twin::Contact>& contacts,
   expect_equal(mine.by_k_and_c, gradient(theirs, kc));
 }
 
-TEST_P(TwinLossesBesideLibtorch, TwinIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, TwinIsLibtorchs) {
   expect_twin_loss_of_libtorch(
       {{.outside_m = 0, .inside_m = 2e-6}, {.outside_m = 0, .inside_m = 3e-6}}, GetParam());
 }
 
-TEST_P(TwinLossesBesideLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
+TEST_P(TwinLossesAgainstLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
   std::vector<double> passing(20, 0.0);
   passing[4] = 0.3;
   passing[5] = 1;
@@ -134,11 +134,12 @@ TEST_P(TwinLossesBesideLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
       GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Readings, TwinLossesBesideLibtorch,
-                         testing::Values(twin::LossReading{},
-                                         twin::LossReading{.squares = twin::Squares::sum,
-                                                           .mmd = twin::Mmd::root,
-                                                           .residual = twin::Residual::absolute}),
+INSTANTIATE_TEST_SUITE_P(Readings, TwinLossesAgainstLibtorch,
+                         testing::Values(twin::LossInterpretation{},
+                                         twin::LossInterpretation{
+                                             .squares = twin::Squares::sum,
+                                             .mmd = twin::Mmd::root,
+                                             .residual = twin::Residual::absolute}),
                          [](const auto& info) {
                            return info.index == 0 ? "MeanSquares" : "SumsRootsAndAbsoluteValues";
                          });

@@ -21,11 +21,11 @@ std::vector<float> gradient_of(const TwinBackend& backend, const std::string& gr
 
 constexpr LearningRates rates{.networks = 1e-3, .loss_weights = 2e-2};
 
-class TwinBesideLibtorch : public testing::TestWithParam<TaskOf> {};
+class TwinAgainstLibtorch : public testing::TestWithParam<TaskOf> {};
 
 // Uses single precision. LibTorch computes the distances of eq. 21's MMD from products, which
 // leaves five digits.
-TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
+TEST_P(TwinAgainstLibtorch, StepsAsLibtorchDoes) {
   const TwinTask task = task_of(GetParam());
   const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
@@ -49,7 +49,7 @@ TEST_P(TwinBesideLibtorch, StepsAsLibtorchDoes) {
 // Needs wide tolerances, because Adam divides by the root of its second moment. Rounding of a
 // gradient near zero moves a weight as much as a large gradient does. Three steps leave fewer
 // digits than one step.
-TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
+TEST_P(TwinAgainstLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
   TwinTask task = task_of(GetParam());
   // Other coders have at least two layers.
   for (const int depth : {task.variant.coder == CoderKind::dense ? 1 : 2, 3}) {
@@ -69,7 +69,7 @@ TEST_P(TwinBesideLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotF
   }
 }
 
-TEST_P(TwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
+TEST_P(TwinAgainstLibtorch, GivesTheStatesThatLibtorchGives) {
   const TwinTask task = task_of(GetParam());
   const std::vector<TwinPoint> mine =
       one_core_engine(Device::cpu).train(task, Stream("initial"))->states();
@@ -83,7 +83,7 @@ TEST_P(TwinBesideLibtorch, GivesTheStatesThatLibtorchGives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Twin, TwinBesideLibtorch,
+    Twin, TwinAgainstLibtorch,
     testing::Values(TaskOf{"Full", full_model, LossWeights::adaptive, 1e9},
                     TaskOf{"FullClipped", full_model, LossWeights::adaptive, 0.01},
                     TaskOf{"FullFixed", full_model, LossWeights::fixed, 1e9},

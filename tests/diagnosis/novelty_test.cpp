@@ -1,4 +1,4 @@
-#include "diagnosis/strangeness.hpp"
+#include "diagnosis/novelty.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "diagnosis/band_powers.hpp"
 #include "diagnosis/dull_windows.hpp"
 #include "diagnosis/sets.hpp"
 #include "diagnosis/stored.hpp"
-#include "diagnosis/stored_bands.hpp"
 #include "support/errors.hpp"
 
 namespace piae::diagnosis {
@@ -23,16 +23,16 @@ double distance(const BandPowers& a, Eigen::Index i, const BandPowers& b, Eigen:
 }
 
 /// Four healthy windows in two blocks of time, two faults, and windows to predict.
-class StrangenessOfToys : public testing::Test {
+class NoveltyOfToys : public testing::Test {
  protected:
-  StrangenessOfToys() {
+  NoveltyOfToys() {
     Stream stream("strange");
     for (int i = 0; i < 4; ++i) add_dull(reference_, 0, 0, stream);
     add_dull(reference_, 1, 0.9, stream);
     add_dull(reference_, 2, -0.9, stream);
-    for (const double dull : {0.0, 0.9, -0.5, 0.3}) add_dull(asked_, 0, dull, stream);
-    const WindowSet four = asked_;
-    for (int i = 0; i < 70; ++i) asked_.append(four, 3);  // more than one batch
+    for (const double dull : {0.0, 0.9, -0.5, 0.3}) add_dull(tested_, 0, dull, stream);
+    const WindowSet four = tested_;
+    for (int i = 0; i < 70; ++i) tested_.append(four, 3);  // more than one batch
   }
 
   /// Returns the distance of a window to the nearest reference window whose label is not `but`.
@@ -61,33 +61,33 @@ class StrangenessOfToys : public testing::Test {
     }
     return largest;
   }
-  void expect_by_hand(const Strangeness& strangeness, Label but) const {
-    const std::vector<double> all = strangeness.of(asked_);
-    const BandPowers asked = band_powers(asked_);
+  void expect_by_hand(const Novelty& novelty, Label but) const {
+    const std::vector<double> all = novelty.of(tested_);
+    const BandPowers tested = band_powers(tested_);
     ASSERT_EQ(all.size(), 74U);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const double expected = nearest(asked, static_cast<Eigen::Index>(i), but) / threshold(but);
+      const double expected = nearest(tested, static_cast<Eigen::Index>(i), but) / threshold(but);
       EXPECT_NEAR(all[i], expected, 1e-9 * expected) << i;
     }
   }
 
   WindowSet reference_ = empty_set(1024);
-  WindowSet asked_ = empty_set(1024);
+  WindowSet tested_ = empty_set(1024);
   const std::vector<std::int32_t> groups_{0, 0, 1, 1, 9, 10};
 };
 
-TEST_F(StrangenessOfToys, IsTheDistanceToTheNearestByTheLargestOfWhatIsLeftOut) {
-  expect_by_hand(Strangeness(reference_, groups_), Label{-1});
+TEST_F(NoveltyOfToys, IsTheDistanceToTheNearestByTheLargestOfWhatIsLeftOut) {
+  expect_by_hand(Novelty(reference_, groups_), Label{-1});
 }
 
-TEST_F(StrangenessOfToys, WithoutAClassIsThatOfTheOthers) {
-  const Strangeness strangeness(reference_, groups_);
-  expect_by_hand(strangeness.without(1), 1);
-  expect_by_hand(strangeness.without(2), 2);
+TEST_F(NoveltyOfToys, WithoutAClassIsThatOfTheOthers) {
+  const Novelty novelty(reference_, groups_);
+  expect_by_hand(novelty.without(1), 1);
+  expect_by_hand(novelty.without(2), 2);
 }
 
 // Neighbours in time do not vouch for each other: a window and its copy in the same block.
-TEST_F(StrangenessOfToys, LeavesOutWhatIsCloseInTime) {
+TEST_F(NoveltyOfToys, LeavesOutWhatIsCloseInTime) {
   WindowSet reference = empty_set(1024);
   reference.append(reference_, 0);
   reference.append(reference_, 0);
@@ -95,41 +95,41 @@ TEST_F(StrangenessOfToys, LeavesOutWhatIsCloseInTime) {
   reference.append(reference_, 2);
   const BandPowers bands = band_powers(reference);
   const double between = distance(bands, 0, bands, 2);
-  WindowSet asked = empty_set(1024);
-  asked.append(asked_, 1);
-  const double to_nearest = std::min(distance(band_powers(asked), 0, bands, 0),
-                                     distance(band_powers(asked), 0, bands, 2));
-  EXPECT_NEAR(Strangeness(reference, {0, 0, 1, 1}).of(asked)[0], to_nearest / between, 1e-9);
+  WindowSet tested = empty_set(1024);
+  tested.append(tested_, 1);
+  const double to_nearest = std::min(distance(band_powers(tested), 0, bands, 0),
+                                     distance(band_powers(tested), 0, bands, 2));
+  EXPECT_NEAR(Novelty(reference, {0, 0, 1, 1}).of(tested)[0], to_nearest / between, 1e-9);
   // If each copy vouched for the other, the threshold would be almost 0.
-  EXPECT_GT(Strangeness(reference, {0, 1, 2, 3}).of(asked)[0], 1e4);
+  EXPECT_GT(Novelty(reference, {0, 1, 2, 3}).of(tested)[0], 1e4);
 }
 
-TEST_F(StrangenessOfToys, OfTheReferenceItselfIsNothing) {
-  const std::vector<double> all = Strangeness(reference_, groups_).of(reference_);
+TEST_F(NoveltyOfToys, OfTheReferenceItselfIsNothing) {
+  const std::vector<double> all = Novelty(reference_, groups_).of(reference_);
   EXPECT_LT(std::ranges::max(all), 1e-5);
 }
 
-TEST_F(StrangenessOfToys, NeedsTwoGroups) {
-  EXPECT_THROW(Strangeness(reference_, std::vector<std::int32_t>(6, 0)), std::logic_error);
+TEST_F(NoveltyOfToys, NeedsTwoGroups) {
+  EXPECT_THROW(Novelty(reference_, std::vector<std::int32_t>(6, 0)), std::logic_error);
 }
 
-TEST_F(StrangenessOfToys, ComesBackAsItWas) {
+TEST_F(NoveltyOfToys, ComesBackAsItWas) {
   const Folder folder;
-  const Strangeness strangeness(reference_, groups_);
+  const Novelty novelty(reference_, groups_);
   artefact::Writer writer("strangeness");
-  strangeness.write(writer, "/reference");
-  const Strangeness read(stored(writer, folder), "/reference", three_classes());
-  EXPECT_EQ(read.of(asked_), strangeness.of(asked_));
-  EXPECT_EQ(read.without(1).of(asked_), strangeness.without(1).of(asked_));
+  novelty.write(writer, "/reference");
+  const Novelty read(stored(writer, folder), "/reference", three_classes());
+  EXPECT_EQ(read.of(tested_), novelty.of(tested_));
+  EXPECT_EQ(read.without(1).of(tested_), novelty.without(1).of(tested_));
 }
 
-TEST_F(StrangenessOfToys, HasAThresholdAboveNothing) {
+TEST_F(NoveltyOfToys, HasAThresholdAboveNothing) {
   const Folder folder;
   artefact::Writer writer("strangeness");
   write_bands(writer, "/reference", band_powers(reference_), reference_.labels);
   writer.numbers("/reference/groups", groups_);
   writer.attribute("/reference", "threshold", 0.0);
-  EXPECT_ERROR(Strangeness(stored(writer, folder), "/reference", three_classes()), Exit::bad_input,
+  EXPECT_ERROR(Novelty(stored(writer, folder), "/reference", three_classes()), Exit::bad_input,
                "threshold");
 }
 

@@ -1,4 +1,4 @@
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@ namespace {
 
 /// Compares with the maker's frequencies of the SKF 6205 at 1797 rpm.
 TEST(Strikes, ComeAtTheFrequencyOfTheirDefect) {
-  EXPECT_NEAR(strike_frequency_hz({}, Defect::outer, 1797), 107.34, 0.005);
-  EXPECT_NEAR(strike_frequency_hz({}, Defect::inner, 1797), 162.21, 0.005);
-  EXPECT_NEAR(strike_frequency_hz({}, Defect::roller, 1797), 2 * 70.51, 0.01);
-  EXPECT_EQ(strike_frequency_hz({}, Defect::none, 1797), 0);
+  EXPECT_NEAR(impact_frequency_hz({}, Defect::outer, 1797), 107.34, 0.005);
+  EXPECT_NEAR(impact_frequency_hz({}, Defect::inner, 1797), 162.21, 0.005);
+  EXPECT_NEAR(impact_frequency_hz({}, Defect::roller, 1797), 2 * 70.51, 0.01);
+  EXPECT_EQ(impact_frequency_hz({}, Defect::none, 1797), 0);
 }
 
 /// A ball's centre moves past the outer race at half the speed of the inner race: (1797 / 60) pi
@@ -29,9 +29,11 @@ TEST(Strikes, LastAsLongAsABallNeedsFromEdgeToEdge) {
 }
 
 TEST(Strikes, AreShorterAndMoreFrequentAtAHigherSpeed) {
-  for (const Defect kind : {Defect::outer, Defect::inner, Defect::roller}) {
-    EXPECT_NEAR(passage_s({}, {kind, 0.5}, 600), 2 * passage_s({}, {kind, 0.5}, 1200), 1e-12);
-    EXPECT_NEAR(strike_frequency_hz({}, kind, 1200), 2 * strike_frequency_hz({}, kind, 600), 1e-9);
+  for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
+    EXPECT_NEAR(passage_s({}, {fault_type, 0.5}, 600), 2 * passage_s({}, {fault_type, 0.5}, 1200),
+                1e-12);
+    EXPECT_NEAR(impact_frequency_hz({}, fault_type, 1200),
+                2 * impact_frequency_hz({}, fault_type, 600), 1e-9);
   }
 }
 

@@ -8,12 +8,12 @@
 namespace piae::figures {
 
 /// Diagnoses of a few test windows with given true and predicted classes.
-class ToldWindows : public StoredSource {
+class DiagnosedWindows : public StoredSource {
  protected:
-  [[nodiscard]] scoring::DiagnosisRecord told(const std::string& method, const std::string& ratio,
-                                              int generated, int seed,
-                                              const std::vector<Label>& labels,
-                                              const std::vector<Label>& predictions) const {
+  [[nodiscard]] scoring::DiagnosisRecord record_of(const std::string& method,
+                                                   const std::string& ratio, int generated,
+                                                   int seed, const std::vector<Label>& labels,
+                                                   const std::vector<Label>& predictions) const {
     scoring::DiagnosisRecord record = diagnosis(method, ratio, generated, seed, 0);
     record.labels = labels;
     record.predictions = predictions;
@@ -25,9 +25,10 @@ class ToldWindows : public StoredSource {
   /// predictions are wrong.
   void add_two_seeds() const {
     const std::vector<Label> truth{0, 0, 1, 1, 2, 2};
-    add(told("vae", "2to1", 145, 0, truth, {0, 0, 1, 0, 2, 1}));
-    add(told("vae", "2to1", 145, 1, truth, {0, 1, 1, 1, 2, 2}));
-    for (const int seed : {0, 1}) add(told("vae", "10to1", 45, seed, truth, {1, 1, 0, 0, 0, 0}));
+    add(record_of("vae", "2to1", 145, 0, truth, {0, 0, 1, 0, 2, 1}));
+    add(record_of("vae", "2to1", 145, 1, truth, {0, 1, 1, 1, 2, 2}));
+    for (const int seed : {0, 1})
+      add(record_of("vae", "10to1", 45, seed, truth, {1, 1, 0, 0, 0, 0}));
   }
 };
 

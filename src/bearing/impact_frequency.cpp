@@ -1,4 +1,4 @@
-#include "bearing/strikes.hpp"
+#include "bearing/impact_frequency.hpp"
 
 #include <stdexcept>
 
@@ -6,9 +6,9 @@
 
 namespace piae::bearing {
 
-double strike_frequency_hz(const Geometry& geometry, Defect kind, double shaft_speed_rpm) {
+double impact_frequency_hz(const Geometry& geometry, Defect fault_type, double shaft_speed_rpm) {
   const FaultFrequencies f = fault_frequencies(geometry, shaft_speed_rpm);
-  switch (kind) {
+  switch (fault_type) {
     case Defect::outer:
       return f.bpfo_hz;
     case Defect::inner:
@@ -25,7 +25,7 @@ double strike_frequency_hz(const Geometry& geometry, Defect kind, double shaft_s
 double passage_s(const Geometry& geometry, const LocalDefect& defect, double shaft_speed_rpm) {
   const Speeds s = speeds(geometry, shaft_speed_rpm);
   const double angle = 2 * half_angle_rad(geometry, defect);
-  switch (defect.kind) {
+  switch (defect.fault_type) {
     case Defect::outer:
       return angle / s.cage;
     case Defect::inner:

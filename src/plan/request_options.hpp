@@ -11,7 +11,7 @@ namespace piae::plan {
 
 /// The words of a request as options. An option that is not given takes its value from a variable
 /// of make: --methods from METHODS. An empty value counts as not given.
-struct Asked {
+struct RequestOptions {
   std::string goals;
   std::string run;
   std::string datasets;
@@ -25,7 +25,7 @@ struct Asked {
   [[nodiscard]] Request request() const;
 };
 
-void bind(const cli::Options& command, Asked& asked);
+void bind(const cli::Options& command, RequestOptions& requested);
 void bind(const cli::Options& command, PlanOptions& options);
 
 }  // namespace piae::plan

@@ -1,11 +1,11 @@
-#include "page/asked.hpp"
+#include "page/requested_cells.hpp"
 
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "run/begun.hpp"
+#include "run/started.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::page {
@@ -25,9 +25,9 @@ std::vector<std::string> folders_in(const fs::path& folder) {
   return names;
 }
 
-std::vector<std::string> asked_datasets(const AskedCells& asked) {
-  if (asked.datasets.empty()) return {};
-  return run::split_list("--datasets", asked.datasets);
+std::vector<std::string> requested_datasets(const RequestedCells& requested) {
+  if (requested.datasets.empty()) return {};
+  return run::split_list("--datasets", requested.datasets);
 }
 
 /// True if only `make identify` left the models of this dataset.
@@ -38,7 +38,7 @@ bool was_only_identified(const run::Layout& layout) {
 /// True if the report includes a dataset that the user did not name. Warns about a dataset that was
 /// tried but has no started method: nothing records which of its cells are missing.
 bool is_reported(const run::Layout& layout) {
-  if (!run::methods_begun(layout).empty()) return !was_only_identified(layout);
+  if (!run::methods_started(layout).empty()) return !was_only_identified(layout);
   if (!layout.seeds().empty() || fs::exists(layout.folder() / "ingest.log")) {
     spdlog::warn("{}: no method was begun, so the report leaves it out; --datasets asks for it",
                  layout.folder().string());
@@ -54,16 +54,16 @@ std::vector<std::string> every_ratio() {
 
 }  // namespace
 
-void bind(const cli::Options& command, AskedCells& asked) {
-  command.add("--datasets", asked.datasets,
+void bind(const cli::Options& command, RequestedCells& requested) {
+  command.add("--datasets", requested.datasets,
               "Data sets, such as: cwru hit-sm; those that the folder holds where it is not given");
-  run::bind_begun_cells(command, asked.cells);
-  command.add("--leave-out", asked.leave_out,
+  run::bind_started_cells(command, requested.cells);
+  command.add("--leave-out", requested.leave_out,
               "Files and folders that are out of date and not asked for, such as "
               "cwru/seed1/smote: the report is made without them");
 }
 
-std::vector<std::string> AskedCells::left_out_of(const std::string& dataset) const {
+std::vector<std::string> RequestedCells::left_out_of(const std::string& dataset) const {
   std::vector<std::string> names;
   for (const std::string& name : leave_out) {
     if (name.starts_with(dataset + "/")) names.push_back(name.substr(dataset.size() + 1));
@@ -71,8 +71,8 @@ std::vector<std::string> AskedCells::left_out_of(const std::string& dataset) con
   return names;
 }
 
-std::vector<std::string> datasets_of(const fs::path& run, const AskedCells& asked) {
-  std::vector<std::string> datasets = asked_datasets(asked);
+std::vector<std::string> datasets_of(const fs::path& run, const RequestedCells& requested) {
+  std::vector<std::string> datasets = requested_datasets(requested);
   for (const std::string& name : folders_in(run)) {
     const bool is_named = std::ranges::count(datasets, name) != 0;
     if (!is_named && is_reported(run::Layout(run, name))) datasets.push_back(name);
@@ -85,18 +85,19 @@ std::vector<std::string> datasets_of(const fs::path& run, const AskedCells& aske
   return datasets;
 }
 
-run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const AskedCells& asked) {
-  const std::vector<std::string> datasets = asked_datasets(asked);
+run::Grid grid_of(const run::Layout& layout, const std::string& dataset,
+                  const RequestedCells& requested) {
+  const std::vector<std::string> datasets = requested_datasets(requested);
   if (!datasets.empty() && std::ranges::count(datasets, dataset) == 0) {
     return {.dataset = dataset, .scored = {}, .combinations = {}, .seeds = {}};
   }
-  run::GridOptions cells = asked.cells;
+  run::GridOptions cells = requested.cells;
   cells.dataset = dataset;
   // Without a started cell, no folder records the requested ratios.
   if (cells.ratios.empty() && !run::holds_cells(layout)) {
     cells.ratios = every_ratio();
   }
-  return run::resolve_begun(layout, cells);
+  return run::resolve_started(layout, cells);
 }
 
 }  // namespace piae::page

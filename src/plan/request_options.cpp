@@ -1,4 +1,4 @@
-#include "plan/asked.hpp"
+#include "plan/request_options.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -34,21 +34,23 @@ std::vector<std::string> held_in(const fs::path& run) {
 
 }  // namespace
 
-void bind(const cli::Options& command, Asked& asked) {
-  command.add("--goals", asked.goals, "What is to be made: all, cells, ..., or files of a run")
+void bind(const cli::Options& command, RequestOptions& requested) {
+  command.add("--goals", requested.goals, "What is to be made: all, cells, ..., or files of a run")
       .from_environment("GOALS");
-  command.add("--run", asked.run, "Folder under results/").from_environment("RUN");
-  command.add("--datasets", asked.datasets, "Data sets").from_environment("DATASETS");
-  command.add("--methods", asked.methods, "Methods; paper: the paper's")
+  command.add("--run", requested.run, "Folder under results/").from_environment("RUN");
+  command.add("--datasets", requested.datasets, "Data sets").from_environment("DATASETS");
+  command.add("--methods", requested.methods, "Methods; paper: the paper's")
       .from_environment("METHODS");
-  command.add("--ratios", asked.ratios, "Windows known to generated").from_environment("RATIOS");
-  command.add("--classifiers", asked.classifiers, "Classifiers").from_environment("CLASSIFIERS");
-  command.add("--seeds", asked.seeds, "Independent repeats").from_environment("SEEDS");
+  command.add("--ratios", requested.ratios, "Windows known to generated")
+      .from_environment("RATIOS");
+  command.add("--classifiers", requested.classifiers, "Classifiers")
+      .from_environment("CLASSIFIERS");
+  command.add("--seeds", requested.seeds, "Independent repeats").from_environment("SEEDS");
   command
-      .choose("--protocol", asked.protocol, signal::protocol_words(),
+      .choose("--protocol", requested.protocol, signal::protocol_words(),
               "The split: random (the paper) or blocked (no overlaps)")
       .from_environment("PROTOCOL");
-  command.add("--data-dir", asked.data_dir, "Folder of the recordings")
+  command.add("--data-dir", requested.data_dir, "Folder of the recordings")
       .from_environment("DATA_DIR");
 }
 
@@ -63,7 +65,7 @@ void bind(const cli::Options& command, PlanOptions& options) {
               "first one, from here on, in which something is to be done")
       .from_environment("PIAE_STRETCH");
   command
-      .flag("--with-holes", options.with_holes,
+      .flag("--with-holes", options.with_missing,
             "Tables of the cells that are there, where others are missing")
       .from_environment("PIAE_WITH_HOLES");
   command.flag("--looks", options.looks, "Write nothing, not even settings files and the journal");
@@ -71,7 +73,7 @@ void bind(const cli::Options& command, PlanOptions& options) {
               "Only the files that this file names, a line each, and what they are made of");
 }
 
-Request Asked::request() const {
+Request RequestOptions::request() const {
   Request request;
   if (!goals.empty()) {
     request.goals = words_in(goals);

@@ -1,4 +1,4 @@
-#include "transfer/turning.hpp"
+#include "transfer/endless_cycle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +9,23 @@ namespace piae::transfer {
 
 namespace {
 
-signal::Waveform<double> waveform(const Turning& turning) {
-  return {.samples = turning.samples, .cycle = turning.cycle};
+signal::Waveform<double> waveform(const EndlessCycle& endless) {
+  return {.samples = endless.samples, .cycle = endless.cycle};
 }
 
 /// Returns the first sample of the stretch of `length` samples with the most power.
-std::size_t loudest_stretch(std::span<const double> window, std::size_t length) {
+std::size_t strongest_stretch(std::span<const double> window, std::size_t length) {
   double power = 0;
   for (std::size_t i = 0; i < length; ++i) power += window[i] * window[i];
   double most = power;
-  std::size_t loudest = 0;
+  std::size_t strongest = 0;
   for (std::size_t i = length; i < window.size(); ++i) {
     power += window[i] * window[i] - window[i - length] * window[i - length];
     if (power <= most) continue;
     most = power;
-    loudest = i + 1 - length;
+    strongest = i + 1 - length;
   }
-  return loudest;
+  return strongest;
 }
 
 /// Appends a position for each period from `next` to `end`. Returns the first position beyond.
@@ -50,29 +50,31 @@ std::vector<double> impacts_of(const signal::Passage& passage, double first_peri
 
 }  // namespace
 
-Turning turning_of(std::span<const double> window, const Comb& comb) {
-  const signal::Cycle whole{.samples = window.size(), .strikes = 1, .blend = 0};
+EndlessCycle endless_cycle_of(std::span<const double> window, const Comb& comb) {
+  const signal::Cycle whole{.samples = window.size(), .impacts = 1, .blend = 0};
   const auto cycle = signal::cycle_of(comb.period, window.size());
-  Turning turning{.samples = {}, .cycle = cycle.value_or(whole), .has_rhythm = cycle.has_value()};
-  const std::size_t begin = loudest_stretch(window, turning.cycle.samples + turning.cycle.blend);
-  turning.samples = signal::closed_cycle(window.subspan(begin), turning.cycle);
-  const double period = turning.cycle.period();
+  EndlessCycle endless{
+      .samples = {}, .cycle = cycle.value_or(whole), .has_whole_period = cycle.has_value()};
+  const std::size_t begin = strongest_stretch(window, endless.cycle.samples + endless.cycle.blend);
+  endless.samples = signal::closed_cycle(window.subspan(begin), endless.cycle);
+  const double period = endless.cycle.period();
   const double first = comb.first - static_cast<double>(begin);
-  const double to_first_strike = first - std::floor(first / period) * period;
-  const auto ahead = static_cast<std::size_t>(std::lround(to_first_strike));
-  std::rotate(turning.samples.begin(),
-              turning.samples.begin() + static_cast<std::ptrdiff_t>(ahead % turning.cycle.samples),
-              turning.samples.end());
-  return turning;
+  const double to_first_impact = first - std::floor(first / period) * period;
+  const auto ahead = static_cast<std::size_t>(std::lround(to_first_impact));
+  std::rotate(endless.samples.begin(),
+              endless.samples.begin() + static_cast<std::ptrdiff_t>(ahead % endless.cycle.samples),
+              endless.samples.end());
+  return endless;
 }
 
-StruckWindow turned(const Turning& first, const Turning& second, std::size_t length,
-                    Stream& random) {
+ImpactWindow window_of_cycles(const EndlessCycle& first, const EndlessCycle& second,
+                              std::size_t length, Stream& random) {
   const signal::Passage passage = signal::draw_passage(first.cycle, length, random);
-  StruckWindow window;
+  ImpactWindow window;
   window.samples = signal::splice(waveform(first), waveform(second), passage, length);
-  if (first.has_rhythm && second.has_rhythm) {
-    window.strikes = impacts_of(passage, first.cycle.period(), second.cycle.period(), length);
+  if (first.has_whole_period && second.has_whole_period) {
+    window.impact_positions =
+        impacts_of(passage, first.cycle.period(), second.cycle.period(), length);
   }
   return window;
 }

@@ -12,20 +12,20 @@
 namespace piae::transfer {
 
 /// A window as an endless cycle.
-struct Turning {
+struct EndlessCycle {
   std::vector<double> samples;  ///< starting at an impact
   signal::Cycle cycle;
-  bool has_rhythm = true;  ///< false if not one whole period fits into the window
+  bool has_whole_period = true;  ///< false if not one whole period fits into the window
 };
 
 /// Makes a cycle of as many whole periods between impacts as fit, from the stretch of the window
 /// with the most power. If not one fits, the whole window is the cycle, which has a seam.
-Turning turning_of(std::span<const double> window, const Comb& comb);
+EndlessCycle endless_cycle_of(std::span<const double> window, const Comb& comb);
 
 /// Returns a window of `length` samples that starts at a random place of the first cycle. At a
 /// random moment it continues in the second, at the same phase of the period between impacts, to
 /// half a sample (signal/passage.hpp). The impacts are empty if either cycle has no impact rate.
-StruckWindow turned(const Turning& first, const Turning& second, std::size_t length,
-                    Stream& random);
+ImpactWindow window_of_cycles(const EndlessCycle& first, const EndlessCycle& second,
+                              std::size_t length, Stream& random);
 
 }  // namespace piae::transfer

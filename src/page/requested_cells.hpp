@@ -11,7 +11,7 @@ namespace piae::page {
 
 /// Requested cells. An empty list stands for what the folder holds. A report also includes
 /// everything else that the folder holds.
-struct AskedCells {
+struct RequestedCells {
   std::vector<std::string> datasets = {};
   run::GridOptions cells = {};  ///< for each of the datasets
   /// Files that are out of date, relative to the folder of the run: "cwru/seed1/smote".
@@ -21,17 +21,19 @@ struct AskedCells {
   [[nodiscard]] std::vector<std::string> left_out_of(const std::string& dataset) const;
 };
 
-void bind(const cli::Options& command, AskedCells& asked);
+void bind(const cli::Options& command, RequestedCells& requested);
 
 /// Returns the requested datasets and those of which the run holds more than what `make identify`
 /// left, in alphabetical order. Throws Error(usage) if one is named twice, and Error(input_missing)
 /// if there are none.
-std::vector<std::string> datasets_of(const std::filesystem::path& run, const AskedCells& asked);
+std::vector<std::string> datasets_of(const std::filesystem::path& run,
+                                     const RequestedCells& requested);
 
-/// Returns the requested cells of one dataset; see run::resolve_begun(). Uses every ratio if none
+/// Returns the requested cells of one dataset; see run::resolve_started(). Uses every ratio if none
 /// is requested and none was started. Returns an empty grid if other datasets are requested but not
 /// this one. Throws Error(usage) as run::resolve() does, and Error(input_missing) if nothing is
 /// requested and the folder is empty.
-run::Grid grid_of(const run::Layout& layout, const std::string& dataset, const AskedCells& asked);
+run::Grid grid_of(const run::Layout& layout, const std::string& dataset,
+                  const RequestedCells& requested);
 
 }  // namespace piae::page

@@ -1,4 +1,4 @@
-#include "diagnosis/strangeness.hpp"
+#include "diagnosis/novelty.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "diagnosis/stored_bands.hpp"
+#include "diagnosis/band_powers.hpp"
 #include "spectra/left_out.hpp"
 
 namespace piae::diagnosis {
@@ -21,17 +21,16 @@ constexpr Range possible_threshold{.low = least_threshold, .high = 1e6};
 
 }  // namespace
 
-Strangeness::Strangeness(const signal::WindowSet& reference, std::vector<std::int32_t> groups)
-    : Strangeness(band_powers(reference), reference.labels, std::move(groups)) {}
+Novelty::Novelty(const signal::WindowSet& reference, std::vector<std::int32_t> groups)
+    : Novelty(band_powers(reference), reference.labels, std::move(groups)) {}
 
-Strangeness::Strangeness(BandPowers bands, std::vector<Label> labels,
-                         std::vector<std::int32_t> groups)
+Novelty::Novelty(BandPowers bands, std::vector<Label> labels, std::vector<std::int32_t> groups)
     : labels_(std::move(labels)),
       groups_(std::move(groups)),
       reference_(std::move(bands)),
       threshold_(spectra::left_out_threshold(largest_left_out(), margin, least_threshold)) {}
 
-double Strangeness::largest_left_out() const {
+double Novelty::largest_left_out() const {
   double largest = 0;
   const Eigen::MatrixXd squares = reference_.squared_distances(reference_.known());
   for (Index i = 0; i < squares.cols(); ++i) {
@@ -46,20 +45,20 @@ double Strangeness::largest_left_out() const {
   return std::sqrt(largest);
 }
 
-std::vector<double> Strangeness::of(const signal::WindowSet& windows) const {
-  const BandPowers asked = band_powers(windows);
+std::vector<double> Novelty::of(const signal::WindowSet& windows) const {
+  const BandPowers tested = band_powers(windows);
   std::vector<double> all;
   all.reserve(windows.size());
-  for (Index begin = 0; begin < asked.rows(); begin += Neighbours::at_a_time) {
-    const Index count = std::min(Neighbours::at_a_time, asked.rows() - begin);
+  for (Index begin = 0; begin < tested.rows(); begin += Neighbours::at_a_time) {
+    const Index count = std::min(Neighbours::at_a_time, tested.rows() - begin);
     const Eigen::RowVectorXd nearest =
-        reference_.squared_distances(asked.middleRows(begin, count)).colwise().minCoeff();
+        reference_.squared_distances(tested.middleRows(begin, count)).colwise().minCoeff();
     for (const double square : nearest) all.push_back(std::sqrt(square) / threshold_);
   }
   return all;
 }
 
-Strangeness Strangeness::without(Label label) const {
+Novelty Novelty::without(Label label) const {
   std::vector<Index> rows;
   std::vector<Label> labels;
   std::vector<std::int32_t> groups;
@@ -72,14 +71,14 @@ Strangeness Strangeness::without(Label label) const {
   return {reference_.known()(rows, Eigen::all), std::move(labels), std::move(groups)};
 }
 
-void Strangeness::write(artefact::Writer& writer, const std::string& group) const {
+void Novelty::write(artefact::Writer& writer, const std::string& group) const {
   write_bands(writer, group, reference_.known(), labels_);
   writer.numbers(group + "/groups", groups_);
   writer.attribute(group, "threshold", threshold_);
 }
 
-Strangeness::Strangeness(const artefact::Reader& reader, const std::string& group,
-                         const signal::DatasetInfo& info)
+Novelty::Novelty(const artefact::Reader& reader, const std::string& group,
+                 const signal::DatasetInfo& info)
     : labels_(read_labels(reader, group, info)),
       groups_(reader.numbers<std::int32_t>(group + "/groups", {labels_.size()}).values),
       reference_(read_bands(reader, group, labels_.size())),

@@ -12,6 +12,6 @@ namespace piae::scoring {
 /// size, counts as correct, so the result is never below accuracy(). Maintenance asks for the fault
 /// type first. `classes` are those of the confusion matrix. Throws std::logic_error without
 /// windows, and for another number of classes.
-double kind_accuracy(const Confusion& confusion, std::span<const signal::ClassInfo> classes);
+double type_accuracy(const Confusion& confusion, std::span<const signal::ClassInfo> classes);
 
 }  // namespace piae::scoring
