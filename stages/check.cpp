@@ -60,10 +60,10 @@ int main(int argc, char** argv) {
   cli::Stage stage(
       "check",
       "Compares the accuracies and scores of a run with the stored reference, cell by cell, and "
-      "prints what moved, by how many standard errors. Exit status 1 when a cell is on one side "
-      "only or something moved by more than the tolerance: with the same processor, threads, "
-      "compiler and libraries numbers must be the same, otherwise their means agree within the "
-      "spread over the seeds.",
+      "prints each change in standard errors. Exits with 1 if a cell is missing on one side, or if "
+      "a value differs by more than the tolerance. With the same processor, threads, compiler and "
+      "libraries, numbers must be equal; otherwise their means must agree within the spread over "
+      "the seeds.",
       "check --run results/try --reference results/reference --datasets cwru --seeds 0 1");
   fs::path run_folder;
   fs::path reference_folder;
@@ -77,9 +77,9 @@ int main(int argc, char** argv) {
                          {{"auto", std::nullopt},
                           {"exact", regression::Tolerance::exact},
                           {"spread", regression::Tolerance::spread}},
-                         "auto: exact where processor and libraries are the same");
+                         "exact, spread, or auto: exact if processor and libraries are the same");
   stage.options().flag("--store", as_reference,
-                       "Make these cells of the run the reference instead of comparing");
+                       "Store these cells of the run as the reference instead of comparing them");
 
   return stage.run(argc, argv, [&] {
     std::vector<regression::Measurements> run = regression::read_run(run_folder, selection);
@@ -91,9 +91,9 @@ int main(int argc, char** argv) {
     }
     if (failed == 0) return;
     throw Error(Exit::failed,
-                fmt::format("{} is not as the reference on {} of {} datasets, see above (give "
-                            "datasets, methods, ratios or seeds to compare a part; after a change "
-                            "that is meant, `make reference`)",
+                fmt::format("{} differs from the reference on {} of {} datasets, see above (name "
+                            "datasets, methods, ratios or seeds to compare a part; after an "
+                            "intended change, run `make reference`)",
                             run_folder.string(), failed, run.size()));
   });
 }

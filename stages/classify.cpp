@@ -30,7 +30,7 @@ struct Sources {
 
 void require_one_source(const Sources& sources) {
   if (sources.lone.file.empty() == sources.description.empty()) {
-    throw Error(Exit::usage, "name either one --recording, or a --description of several");
+    throw Error(Exit::usage, "name either one --recording or a --description of several");
   }
   const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
                         !sources.lone.variable.empty();
@@ -44,10 +44,10 @@ void require_one_source(const Sources& sources) {
 int main(int argc, char** argv) {
   cli::Stage stage(
       "classify",
-      "Names the fault in recordings, by a classifier that `diagnose --keep-classifier` kept: for "
-      "each window and for the whole recording the class and a calibrated probability, or "
-      "\"unknown\" where it looks like nothing that was trained. The picture shows the evidence "
-      "beside: the envelope spectrum with the lines of the bearing's faults.",
+      "Names the fault in recordings with a classifier that `diagnose --keep-classifier` kept. "
+      "Gives the class and a calibrated probability for each window and for the whole recording, "
+      "or \"unknown\" if it resembles nothing that was trained. The picture also shows the "
+      "evidence: the envelope spectrum with the fault lines of the bearing.",
       "classify --classifier classifier.h5 --recording bearing7.csv --variable 1 "
       "--sample-rate-hz 25600 --speed-rpm 1500 --picture bearing7.svg");
   fs::path classifier_file;
@@ -63,28 +63,26 @@ int main(int argc, char** argv) {
       .required(false);
   stage.options().add(
       "--variable", sources.lone.variable,
-      "of the recording: variable of a .mat, column of a .csv (its name or number), "
-      "dataset of an .h5");
+      "variable of a .mat, column of a .csv (its name or number), dataset of an .h5");
   stage.options()
-      .add("--sample-rate-hz", sources.lone.sample_rate_hz, "of the recording")
+      .add("--sample-rate-hz", sources.lone.sample_rate_hz, "sample rate of the recording, Hz")
       .check(cli::within(signal::ranges::sample_rate_hz));
   stage.options()
-      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "of the shaft in the recording")
+      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "shaft speed, rpm")
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   stage
       .input_file("--description", sources.description,
-                  "in the place of --recording: a description of recordings (TOML)")
+                  "description of recordings (TOML), instead of --recording")
       .required(false);
-  stage.input_file("--data-dir", sources.data_dir, "folder that holds the files it names")
+  stage.input_file("--data-dir", sources.data_dir, "folder of the files in the description")
       .required(false);
-  stage.options().add("--record", sources.records, "only these records of it");
+  stage.options().add("--record", sources.records, "records of the description; default: all");
   stage.options()
       .add("--step", step,
-           "samples, at the classifier's rate, from the start of one window to that of "
-           "the next; 0: one window after the other")
+           "distance between window starts, samples at the classifier's rate; 0: the window length")
       .check(cli::whole_number(0, 1'000'000'000));
-  stage.output_file("--output", output, "answers on all windows (HDF5)").required(false);
-  stage.output_file("--csv", csv, "the same as text").required(false);
+  stage.output_file("--output", output, "predictions of all windows (HDF5)").required(false);
+  stage.output_file("--csv", csv, "the same as CSV").required(false);
   stage.output_file("--picture", picture, "time lines and envelope spectra (SVG)").required(false);
 
   return stage.run(argc, argv, [&] {

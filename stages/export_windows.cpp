@@ -27,9 +27,9 @@ formats::Exported read(const artefact::Reader& reader, const std::vector<std::st
 int main(int argc, char** argv) {
   cli::Stage stage("export_windows",
                    "Writes windows as CSV, NumPy (.npy), MATLAB 5 (.mat) or sound (.wav, 32-bit "
-                   "float), by the ending of --output: the stored float32 exactly, with class, "
-                   "unit, sampling rate, and what is known of each window, such as (k, c), start "
-                   "angle, strikes and parents. Beside .npy and .wav these stand in "
+                   "float), by the ending of --output. The samples are the stored float32 exactly, "
+                   "with class, unit, sampling rate, and known values of each window, such as (k, "
+                   "c), start angle, impacts and parents. For .npy and .wav these values are in "
                    "NAME.labels.csv. A .wav holds the windows one after another, with a marker at "
                    "each.",
                    "export_windows --windows E.h5 --output E.mat");
@@ -39,9 +39,9 @@ int main(int argc, char** argv) {
   std::size_t count = 0;
   stage.input_file("--windows", file, "A.h5 to D.h5 made by split, or E.h5 made by generate");
   stage.output_file("--output", output, "NAME.csv, NAME.mat, NAME.npy or NAME.wav");
-  stage.options().add("--class", classes, "classes to export; without it all");
+  stage.options().add("--class", classes, "classes to export; default: all");
   stage.options()
-      .add("--count", count, "windows of each class, the first ones; 0: all")
+      .add("--count", count, "number of windows of each class, from the first; 0: all")
       .check(cli::natural_number());
 
   return stage.run(argc, argv, [&] {

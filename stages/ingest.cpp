@@ -37,7 +37,8 @@ void check_files(const signal::Description& description, const fs::path& folder,
   for (const std::string& problem : inspection::problems_of(check)) std::cout << problem << '\n';
   if (!picture.empty()) text::save_all({{picture, inspection::picture_of(info, check)}});
   if (check.exit != Exit::done) {
-    throw Error(check.exit, "dataset " + info.name + " cannot be used as it is, see above");
+    throw Error(check.exit, "dataset " + info.name +
+                                " has problems, see above; correct its description or its files");
   }
   std::cout << fmt::format("checked {} records of {} classes, warnings: {}\n", check.records.size(),
                            check.classes.size(), warnings.size());
@@ -49,8 +50,7 @@ int main(int argc, char** argv) {
   cli::Stage stage("ingest",
                    "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, TDMS, UFF, "
                    "LabVIEW, sound), "
-                   "checks them, brings "
-                   "them to one sample rate and writes them as one artefact.",
+                   "checks them, resamples them to one rate and writes them as one artefact.",
                    "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
                    "records.h5");
   fs::path file;
@@ -60,13 +60,14 @@ int main(int argc, char** argv) {
   bool sources = false;
   bool check = false;
   stage.input_file("--description", file, "Dataset description (TOML)");
-  stage.input_file("--data-dir", data_dir, "Folder that holds the files it names").required(false);
+  stage.input_file("--data-dir", data_dir, "Folder of the files in the description")
+      .required(false);
   stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")
       .required(false);
   stage.file_flag("--sources", sources, "Print 'sha256  file  url' of each raw file and stop");
-  stage.file_flag("--check", check,
-                  "Read everything, say what was found, what is odd and what is wrong, and write "
-                  "no artefact");
+  stage.file_flag(
+      "--check", check,
+      "Read all recordings, report findings, warnings and problems, and write no artefact");
   stage.output_file("--picture", picture, "With --check: draw the recordings into this file (SVG)")
       .required(false);
 

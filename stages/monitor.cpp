@@ -17,7 +17,7 @@ namespace {
 
 void write_to_standard_output(const std::string& text) {
   if (write_all(STDOUT_FILENO, std::as_bytes(std::span(text)))) return;
-  throw Error(Exit::failed, "standard output cannot be written; send it elsewhere");
+  throw Error(Exit::failed, "cannot write to standard output; redirect it to a file");
 }
 
 }  // namespace
@@ -25,12 +25,11 @@ void write_to_standard_output(const std::string& text) {
 int main(int argc, char** argv) {
   cli::Stage stage(
       "monitor",
-      "Judges a stream of raw samples by a classifier that diagnose kept: a line of JSON for each "
-      "decision on standard output, with an alarm that is raised when the machine has looked "
-      "faulty "
-      "for long enough, and cleared when it has looked healthy again. It ends with its input, or "
-      "when it is told to (SIGTERM, Ctrl-C), with a line on standard error that says how much was "
-      "heard and what was lost.",
+      "Classifies a stream of raw samples with a classifier that diagnose kept. Writes a line of "
+      "JSON for each decision to standard output. Raises an alarm after the machine has looked "
+      "faulty for long enough, and clears it after it has looked healthy again. Ends with its "
+      "input, or on SIGTERM or Ctrl-C, with a line on standard error that reports the signal that "
+      "was used and what was lost.",
       "monitor --classifier classifier.h5 --sample-rate-hz 12000 --speed-rpm 1797 < raw.f32");
   fs::path classifier_file;
   fs::path input_file = "-";
@@ -40,7 +39,7 @@ int main(int argc, char** argv) {
   stage.input_file("--classifier", classifier_file,
                    "classifier.h5 made by diagnose --keep-classifier");
   stage.input_file("--input", input_file, "raw samples; -: standard input").required(false);
-  stage.file_flag("--follow", follow, "wait for more at the end of --input, a file that grows");
+  stage.file_flag("--follow", follow, "--input is a file that grows: wait for more at its end");
   bind(stage.options(), options);
   bind(stage.options(), watching);
 

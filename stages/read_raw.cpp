@@ -31,7 +31,7 @@ std::vector<fs::path> names_in(const fs::path& list) {
   std::ifstream in(list);
   std::vector<fs::path> names;
   for (std::string name; std::getline(in, name, '\0');) names.emplace_back(name);
-  if (names.empty()) throw Error(Exit::bad_input, list.string() + ": names no file");
+  if (names.empty()) throw Error(Exit::bad_input, list.string() + ": holds no file names");
   return names;
 }
 
@@ -44,23 +44,24 @@ raw::Signal read_without_writing(const fs::path& file, const std::string& variab
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage(
-      "read_raw",
-      "Reads one variable of raw recordings and writes its numbers "
-      "to standard output, in double precision as this machine stores it. Only what "
-      "the file's size allows is taken of memory and time. ingest runs it with a list "
-      "of files; the numbers of each then follow their count and more that ingest needs.",
-      "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
+  cli::Stage stage("read_raw",
+                   "Reads one variable of raw recordings and writes its numbers "
+                   "to standard output, in double precision as this machine stores it. The file's "
+                   "size limits its memory and time. ingest runs it with a list of files; then a "
+                   "header with their count precedes the numbers of each file.",
+                   "read_raw --file data/cwru/97.mat --variable X097_DE_time | od -t f8 | head");
   fs::path file;
   fs::path list;
   std::string variable;
   double sample_rate_hz = 0;
   stage.input_file("--file", file, "Raw recording").required(false);
-  stage.input_file("--list", list, "File that names recordings, each name ended by a zero byte")
+  stage
+      .input_file("--list", list, "File with the names of recordings, each followed by a zero byte")
       .required(false);
   stage.options().add("--variable", variable, "Variable, dataset, column or channel").required();
   stage.options()
-      .add("--sample-rate", sample_rate_hz, "Hz; refuse a file that says another one itself")
+      .add("--sample-rate", sample_rate_hz,
+           "expected sample rate, Hz: refuse a file that declares another one; 0: do not check")
       .check(cli::non_negative_number());
 
   return stage.run(argc, argv, [&] {

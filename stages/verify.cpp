@@ -14,10 +14,10 @@ int main(int argc, char** argv) {
   cli::Stage stage(
       "verify",
       "Checks artefacts of any kind: complete, undamaged, finite, of a known schema, and "
-      "no window with two roles in a split. Silent with exit status 0 when all is good; "
-      "otherwise one line each and the bit-or of the reasons: 1 missing, truncated or "
-      "not HDF5; 4 damaged; 8 wrong kind or schema; 16 content that cannot be; 32 a "
-      "window with two roles. A usage error is 2.",
+      "no window with two roles in a split. Prints nothing and exits with 0 if all are good; "
+      "otherwise prints one line for each problem and exits with the bit-or of the reasons: 1 "
+      "missing, truncated or not HDF5; 4 damaged; 8 wrong kind or schema; 16 impossible content; "
+      "32 a window with two roles. A usage error gives 2.",
       "verify results/demo/simulated-small/seed0/*.h5");
   std::vector<std::filesystem::path> files;
   stage.options()

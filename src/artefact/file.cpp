@@ -48,7 +48,7 @@ Bytes read_file(const fs::path& path, std::uint64_t most) {
   if (file.size() > most) {
     throw Error(Exit::bad_input, path.string() + ": is larger than " +
                                      std::to_string(most / 1'000'000) +
-                                     " MB, more than such a file can be");
+                                     " MB, the limit for such files");
   }
   Bytes bytes(file.size());
   bytes.shorten(file.read(bytes));
@@ -63,9 +63,9 @@ void require_replaceable(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status there = fs::symlink_status(path, ignored);
   if (!fs::exists(there) || fs::is_regular_file(there)) return;
-  const std::string what = fs::is_symlink(there) ? "is a link and not a file" : "is not a file";
+  const std::string what = fs::is_symlink(there) ? "is a link" : "is not a file";
   throw Error(Exit::failed,
-              path.string() + ": " + what + " that could be replaced; choose another output");
+              path.string() + ": " + what + ", so it is not replaced; choose another output");
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
@@ -80,12 +80,13 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
   // Makes write() fail beyond `ulimit -f`, instead of the system killing the program.
   std::signal(SIGXFSZ, SIG_IGN);
   const auto fail = [&](const std::string& what) {
-    throw Error(Exit::failed, path.string() + ": " + what + ": " + reason() +
-                                  "; nothing was written, choose another output or make room");
+    throw Error(Exit::failed,
+                path.string() + ": " + what + ": " + reason() +
+                    "; nothing was written: choose another output or free some space");
   };
   PartialFile partial(path);
   if (!partial.is_open() || !partial.write(bytes)) fail("cannot be written");
-  if (!partial.put_in_place()) fail("cannot be put in place");
+  if (!partial.put_in_place()) fail("cannot be renamed to its final name");
   sync_folder(folder);
 }
 

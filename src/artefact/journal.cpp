@@ -195,7 +195,7 @@ Journal::Journal(fs::path run) : run_(std::move(run)), prefix_(run_.string() + '
   if (!fs::exists(status)) return;
   if (!fs::is_regular_file(status)) {
     throw Error(Exit::bad_input,
-                file.string() + ": is not a file; remove it, make writes it again");
+                file.string() + ": is not a file; remove it, and make rewrites it");
   }
   try {
     const Bytes bytes = read_file(file);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using hdf5::Handle;
 
-const std::string remedy = "; make it again with the stage that wrote it";
+const std::string remedy = "; rerun the stage that wrote it";
 
 /// Copies numbers from bytes, in parts that stay in the cache: a vector zeroes its elements before
 /// they are overwritten.
@@ -111,7 +111,7 @@ std::int64_t stored_schema(const fs::path& path, hid_t file) {
   const Handle type(H5Aget_type(attribute), name.c_str());
   if (H5Tequal(type, hdf5::stored_type<std::int64_t>()) <= 0) {
     throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
-                  path.string() + ": its schema version is no whole number" + remedy);
+                  path.string() + ": its schema version is not a whole number" + remedy);
   }
   std::int64_t schema = 0;
   hdf5::check(H5Aread(attribute, type, &schema), name.c_str());
@@ -128,12 +128,11 @@ void require_artefact(const fs::path& path, std::span<const std::byte> image,
   if (schema != schema_version) {
     throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
                   path.string() + ": has schema version " + std::to_string(schema) +
-                      ", this program reads " + std::to_string(schema_version) + remedy);
+                      ", but this program reads " + std::to_string(schema_version) + remedy);
   }
   if (!kind.empty() && stored != kind) {
-    throw Refusal(
-        Exit::bad_input, RefusalReason::wrong_kind,
-        path.string() + ": is an artefact of kind '" + stored + "', needed is '" + kind + "'");
+    throw Refusal(Exit::bad_input, RefusalReason::wrong_kind,
+                  path.string() + ": is an artefact of kind '" + stored + "', not '" + kind + "'");
   }
 }
 
@@ -142,7 +141,7 @@ Rehearsal rehearsal_of(const fs::path& path, std::span<const std::byte> image,
   // Starts OpenSSL here, once, instead of in each child: children are copies of this process.
   [[maybe_unused]] static const Sha256 started;
   return {.size = image.size(),
-          .otherwise = path.string() + ": damaged: it cannot be read without harm" + remedy,
+          .otherwise = path.string() + ": damaged: it cannot be read safely" + remedy,
           .read = [&path, image, &kind] { require_artefact(path, image, kind); }};
 }
 
@@ -259,7 +258,7 @@ template <hdf5::Number T>
 Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) const {
   const Handle dataset = open(path);
   const Handle type(H5Dget_type(dataset), path.c_str());
-  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0) refuse(path, "has another type of number");
+  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0) refuse(path, "has the wrong type of number");
   Array<T> array{{}, hdf5::shape_of(dataset)};
   bool fits = array.shape.size() == shape.size();
   std::size_t count = 1;
@@ -267,7 +266,7 @@ Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) cons
     fits = shape[i] == 0 || shape[i] == array.shape[i];
     count *= array.shape[i];
   }
-  if (!fits) refuse(path, "has another shape");
+  if (!fits) refuse(path, "has the wrong shape");
   if (const auto stored = hdf5::stored_values(dataset, image_)) {
     array.values = values_in<T>(stored->values);
   } else if (count > 0) {
@@ -300,7 +299,7 @@ T Reader::scalar(const std::string& object, const std::string& name, const Range
       H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "attribute");
   const Handle type(H5Aget_type(attribute), "attribute");
   if (H5Tequal(type, hdf5::stored_type<T>()) <= 0 || !hdf5::holds_one_value(attribute)) {
-    refuse(where, "has another type");
+    refuse(where, "has the wrong type");
   }
   T value{};
   hdf5::check(H5Aread(attribute, type, &value), where.c_str());

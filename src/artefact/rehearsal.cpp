@@ -113,8 +113,8 @@ Objection objection_in(const std::string& answers_read, const std::string& other
 }
 
 [[noreturn]] void fail(const char* what) {
-  throw Error(Exit::failed, std::string("cannot read artefacts in a process of their own: ") +
-                                what + ": " + std::generic_category().message(errno));
+  throw Error(Exit::failed, std::string("cannot start a process to read artefacts: ") + what +
+                                ": " + std::generic_category().message(errno));
 }
 
 /// Returns the child's answers, for the files that it reached.

@@ -76,7 +76,9 @@ class Walk {
     note(info, path, depth);
     if (info.num_attrs > 0) visit_attributes(object, path);
     if (info.type == H5O_TYPE_DATASET) return visit_dataset(object, path);
-    if (info.type != H5O_TYPE_GROUP) refuse("an object that is no group and no dataset", path);
+    if (info.type != H5O_TYPE_GROUP) {
+      refuse("an object that is neither a group nor a dataset", path);
+    }
     for (const auto& [name, type] : links_of(object, path)) {
       if (!is_plain(name)) refuse("a link with a name that no file should have", path);
       const std::string child = child_of(path, name);

@@ -94,7 +94,7 @@ Written Writer::save(const std::filesystem::path& path, const Provenance& proven
   if (bytes.size() > largest_artefact_bytes) {
     throw Error(Exit::failed, path.string() + ": would be larger than " +
                                   std::to_string(largest_artefact_bytes / 1'000'000) +
-                                  " MB, which no stage reads; take fewer or shorter records");
+                                  " MB, the limit of all stages; use fewer or shorter records");
   }
   write_file_atomically(path, bytes);
   return written;

@@ -43,7 +43,7 @@ void validate(const Geometry& g, const LocalDefect& defect) {
   if (on_a_race && half_angle_rad(g, defect) >= pi / g.balls) {
     throw Error(
         Exit::bad_input,
-        fmt::format("defect size {} mm spans more than the distance of two balls; it must "
+        fmt::format("defect size {} mm spans more than the distance between two balls; it must "
                     "be below {:.3g} mm",
                     defect.size_mm, diameter_mm(g, defect.fault_type) * std::sin(pi / g.balls)));
   }

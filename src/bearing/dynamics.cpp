@@ -84,10 +84,10 @@ void write_rows(const Solution& solution, std::size_t settling, std::size_t cour
     if (sane < samples) {
       const double since_first_sample =
           static_cast<double>(sane + 1) - static_cast<double>(settling);
-      throw Error(Exit::failed, fmt::format("eq. 13 diverged at {:.6g} s with sub-steps of {:.3g} "
-                                            "s: stiffness and damping over mass ask for shorter "
-                                            "ones",
-                                            since_first_sample / sampling.rate_hz, step_s));
+      throw Error(Exit::failed,
+                  fmt::format("eq. 13 diverged at {:.6g} s with sub-steps of {:.3g} "
+                              "s; stiffness and damping over mass require shorter ones",
+                              since_first_sample / sampling.rate_hz, step_s));
     }
     for (std::size_t i = settling; i < samples; ++i) *rows++ = solution.acceleration[i][lane];
   }

@@ -135,7 +135,7 @@ void LoadedBalls::set_step(double step_s) {
       throw Error(
           Exit::bad_input,
           fmt::format("ball positions every {:.3g} s: balls enter the load zone every {:.3g} "
-                      "s, the sub-step must be shorter",
+                      "s; the sub-step must be shorter",
                       step_s, ball_distance_rad_ / speeds.entered));
     }
     set_lane_of(entered_step_, lane, speeds.entered * step_s);

@@ -23,10 +23,8 @@ int number_of_balls(const Orders& orders) {
   const double sum = orders.bpfo + orders.bpfi;
   const double balls = std::round(sum);
   if (balls < 3 || !agree(sum, balls)) {
-    refuse_orders(
-        fmt::format("bpfo + bpfi is {:g}; it is the number of balls, a whole one of at "
-                    "least 3",
-                    sum));
+    refuse_orders(fmt::format(
+        "bpfo + bpfi is {:g}; it must be the number of balls, a whole number of at least 3", sum));
   }
   return static_cast<int>(balls);
 }

@@ -61,7 +61,8 @@ Check whole_number(std::int64_t least, std::int64_t most) {
 Check one_of(const std::vector<std::string>& words) {
   const auto refusal = [words](const std::string& text) {
     const bool good = std::ranges::find(words, text) != words.end();
-    return good ? std::string() : fmt::format("'{}' is none of: {}", text, fmt::join(words, ", "));
+    return good ? std::string()
+                : fmt::format("'{}' is not one of: {}", text, fmt::join(words, ", "));
   };
   return {fmt::format("{{{}}}", fmt::join(words, ",")), refusal};
 }

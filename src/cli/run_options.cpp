@@ -3,16 +3,15 @@
 namespace piae::cli {
 
 void bind(const cli::Options& command, RunOptions& options) {
-  command.add("--seed", options.seed, "the repeat; names the random streams")
+  command.add("--seed", options.seed, "number of the repeat; selects the random streams")
       .required()
       .check(natural_number());
   command.choose("--device", options.compute.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-                 "cpu or cuda, for networks");
+                 "device for networks: cpu or cuda");
   command.choose(
       "--backend", options.compute.backend,
       {{"auto", Backend::automatic}, {"native", Backend::native}, {"libtorch", Backend::libtorch}},
-      "what computes networks: native (one core, the fastest), libtorch, or auto: "
-      "native where it can be");
+      "back end for networks: native (one core, fastest), libtorch, or auto (native if possible)");
 }
 
 }  // namespace piae::cli

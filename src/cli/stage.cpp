@@ -237,7 +237,7 @@ void Stage::require_free(std::vector<std::filesystem::path> outputs) const {
   const auto twice = std::ranges::adjacent_find(outputs);
   if (twice == outputs.end()) return;
   throw Error(Exit::usage,
-              twice->string() + ": is named by two options; choose another name for one");
+              twice->string() + ": is named by two options; choose another file for one");
 }
 
 void Stage::save(artefact::Writer& writer, const std::filesystem::path& path) const {

@@ -47,7 +47,7 @@ void StoredOptions::require_order() const {
   const Row* const from = first_reversed();
   if (from == nullptr) return;
   throw Error(Exit::usage,
-              fmt::format("--{} is above --{}; it must not be", from->name, (from + 1)->name));
+              fmt::format("--{} must not be above --{}", from->name, (from + 1)->name));
 }
 
 void StoredOptions::write(artefact::Writer& writer) const {
@@ -75,7 +75,7 @@ void StoredOptions::read(const artefact::Reader& reader) const {
       const auto found = std::ranges::find(row.words, text);
       if (found == row.words.end()) {
         reader.refuse(row.group + ", attribute " + row.attribute,
-                      fmt::format("is {}, must be {}", text, fmt::join(row.words, " or ")));
+                      fmt::format("is {}; it must be {}", text, fmt::join(row.words, " or ")));
       }
       row.take(static_cast<std::size_t>(found - row.words.begin()));
     }

@@ -67,10 +67,10 @@ std::string advice_on_value(std::string_view value) {
   const bool is_quoted = value.front() == '"' || value.front() == '\'';
   if (is_quoted) {
     const bool ends = value.size() > 1 && value.back() == value.front();
-    if (!ends) return "has a text in quotes that does not end, or something behind it";
+    if (!ends) return "has a text in quotes without an end, or something after it";
     if (value.front() == '"' && has(value, "\\")) {
-      return "has a backslash in the text; write it between single quotes, '...', or / in its "
-             "place";
+      return "has a backslash in the text; write it between single quotes, '...', or replace it by "
+             "/";
     }
     return {};
   }
@@ -85,7 +85,7 @@ std::string advice_on_value(std::string_view value) {
   if (is_like_a_number) return {};
   const bool begins_like_a_number = value.find_first_of("0123456789+-.") == 0;
   if (begins_like_a_number && has(value, " ")) {
-    return "has something behind the number; leave it out, or write a text in quotes, " +
+    return "has something after the number; remove it, or write a text in quotes, " +
            in_quotes(value);
   }
   return "is a text without quotes; write " + in_quotes(value);

@@ -30,9 +30,8 @@ void take_variant(const toml::table& program, const std::string& variant, toml::
     const auto name = (*own)["like"].value_or<std::string>("");
     const toml::table* other = program[name].as_table();
     if (other == nullptr || other->contains("like")) {
-      throw Error(Exit::usage,
-                  "table of '" + variant + "': like = '" + name +
-                      "' must name a variant that has a table and is itself like none");
+      throw Error(Exit::usage, "table of '" + variant + "': like = '" + name +
+                                   "' must name a variant that has a table without like");
     }
     take_values(*other, options);
   }

@@ -34,7 +34,9 @@ std::string_view line_of(std::string_view text, std::size_t number) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view source) {
-  if (text.size() > most_toml_bytes) throw NotToml(1, "is larger than 1 MB, which no settings are");
+  if (text.size() > most_toml_bytes) {
+    throw NotToml(1, "is larger than 1 MB, the limit for settings");
+  }
   require_shallow(text);
   try {
     return toml::parse(text, source);

@@ -94,7 +94,7 @@ Exported select(const WindowSet& windows, const std::vector<std::string>& classe
         Exit::bad_input,
         classes.empty()
             ? std::string("holds no window, so there is nothing to export")
-            : fmt::format("holds no window of {}; of other classes it may: leave out --class",
+            : fmt::format("holds no window of {}; leave out --class to export other classes",
                           fmt::join(classes, ", ")));
   }
   return exported;

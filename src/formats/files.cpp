@@ -34,9 +34,8 @@ const Format& format_of(const fs::path& output) {
   const std::string ending = output.extension();
   const auto* const found = std::ranges::find(formats, ending, &Format::ending);
   if (found != formats.end()) return *found;
-  throw Error(Exit::usage, output.string() +
-                               ": ends in none of .csv, .mat, .npy and .wav, by which the "
-                               "format is chosen; name a file that does");
+  throw Error(Exit::usage,
+              output.string() + ": must end in .csv, .mat, .npy or .wav, which selects the format");
 }
 
 }  // namespace

@@ -17,17 +17,17 @@ void bind(const cli::Options& command, AlarmOptions& options) {
   constexpr Range hours{.low = 0.01, .high = 1e6, .unit = " h"};
   command
       .add("--healthy-share", options.healthy_share,
-           "at most this share of a healthy machine's windows looks faulty")
+           "largest share of a healthy machine's windows that look faulty")
       .check(cli::within(share));
   command
       .add("--faulty-share", options.faulty_share,
-           "at least this share of a faulty machine's windows does; evidence for the alarm is the "
-           "likelihood ratio of the two shares, summed (CUSUM: Page 1954)")
+           "smallest share of a faulty machine's windows that look faulty; the alarm sums the "
+           "logarithmic likelihood ratio of the two shares (CUSUM: Page 1954)")
       .check(cli::within(share));
   command
       .add("--hours-per-false-alarm", options.hours_per_false_alarm,
-           "mean time between false alarms, and between false all-clears, at least; the threshold "
-           "is the logarithm of the windows in it (Lorden 1971)")
+           "smallest mean time between false alarms, and between false all-clears, h; the "
+           "threshold is the logarithm of the number of windows in it (Lorden 1971)")
       .check(cli::within(hours));
 }
 
@@ -50,10 +50,9 @@ Alarm::Alarm(const AlarmOptions& options, double windows_per_hour)
       of_healthy_(std::log((1 - options.faulty_share) / (1 - options.healthy_share))),
       threshold_(std::log(std::max(2.0, options.hours_per_false_alarm * windows_per_hour))) {
   if (options.healthy_share >= options.faulty_share) {
-    throw Error(Exit::usage,
-                fmt::format("--healthy-share {:g} must be below --faulty-share {:g}: of a faulty "
-                            "machine more windows look faulty",
-                            options.healthy_share, options.faulty_share));
+    throw Error(Exit::usage, fmt::format("--healthy-share {:g} must be below --faulty-share {:g}: "
+                                         "more windows of a faulty machine look faulty",
+                                         options.healthy_share, options.faulty_share));
   }
 }
 

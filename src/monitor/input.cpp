@@ -42,12 +42,11 @@ Input::Input(const std::filesystem::path& path, bool follow)
   if (follow && (path == "-" || !S_ISREG(status.st_mode))) {
     throw Error(Exit::usage, name_ +
                                  ": --follow is for files that grow; a pipe is read until its "
-                                 "writer closes it, so leave --follow out");
+                                 "writer closes it, so remove --follow");
   }
   if (::isatty(descriptor_) != 0) {
-    throw Error(Exit::usage, name_ +
-                                 " is a terminal: pipe the samples in, or name a file with "
-                                 "--input");
+    throw Error(Exit::usage,
+                name_ + " is a terminal; pipe the samples in, or name a file with --input");
   }
 }
 

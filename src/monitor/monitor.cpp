@@ -31,25 +31,24 @@ double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
 void bind(const cli::Options& command, MonitorOptions& options) {
   constexpr Range every_s{.low = 0, .high = 1e9, .unit = " s"};
   command.choose("--format", options.format, sample_format_words(),
-                 "samples of the stream: floats or integers of so many bits, in the byte order of "
-                 "this machine (be: big-endian) and without a header; wav of one channel; or text, "
-                 "one number a line");
-  command.add("--sample-rate-hz", options.sample_rate_hz, "samples of the stream in a second")
+                 "format of the stream: floats or integers with this number of bits, in the byte "
+                 "order of this machine (be: big-endian), without a header; wav with one channel; "
+                 "or text, one number per line");
+  command.add("--sample-rate-hz", options.sample_rate_hz, "sample rate of the stream, Hz")
       .required()
       .check(cli::within(signal::ranges::sample_rate_hz));
-  command.add("--speed-rpm", options.speed_rpm, "speed of the shaft")
+  command.add("--speed-rpm", options.speed_rpm, "shaft speed, rpm")
       .required()
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   command
       .add("--stride", options.stride,
-           "samples, at the classifier's rate, from the start of one window to that of the next; "
-           "0: its length, so that every sample is judged once")
+           "distance between window starts, samples at the classifier's rate; 0: the window "
+           "length, so that every sample is used once")
       .check(cli::within(signal::ranges::first_sample));
   command
       .add("--every-s", options.every_s,
-           "seconds of the stream from one decision to the next; 0: one for each window. An alarm "
-           "is "
-           "told at once")
+           "time between decisions, s of the stream; 0: one for each window. An alarm is reported "
+           "at once")
       .check(cli::within(every_s));
   bind(command.in_group("Alarm"), options.alarm);
 }

@@ -14,7 +14,7 @@ namespace piae::monitor {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "WAV and f32be are read for such machines");
+              "WAV and f32be are read only on such machines");
 
 template <class T, bool swapped = false>
 T value_at(const void* from) {
@@ -195,7 +195,7 @@ void SampleDecoder::require_binary() const {
   if (beginning_.starts_with("\x93NUMPY")) {
     throw Error(Exit::bad_input,
                 name_ +
-                    ": begins as a file of NumPy does; pipe its samples alone in: python3 -c "
+                    ": begins like a NumPy file; pipe in only its samples: python3 -c "
                     "\"import numpy, sys; sys.stdout.buffer.write(numpy.load('FILE').astype('<f4')."
                     "tobytes())\"");
   }
@@ -204,9 +204,8 @@ void SampleDecoder::require_binary() const {
   const bool is_text =
       beginning_.find_first_not_of("0123456789+-.,;eE \t\r\n") == std::string::npos;
   if (beginning_.size() < shown_bytes || !is_text) return;
-  throw Error(Exit::bad_input, name_ +
-                                   ": begins like text, not like samples in binary form; is it "
-                                   "--format text?");
+  throw Error(Exit::bad_input,
+              name_ + ": begins like text, not like binary samples; is it --format text?");
 }
 
 void SampleDecoder::finish(std::vector<double>& samples) { text_.finish(samples); }

@@ -51,8 +51,7 @@ void TextSamples::end_line(std::vector<double>& samples) {
     ++garbled_;
     if (first_garbled_.empty()) {
       first_garbled_ = fmt::format(
-          "{}, line {}: '{}{}' is not a number; a line of --format text holds "
-          "one sample",
+          "{}, line {}: '{}{}' is not a number; a line of --format text must hold one sample",
           name_, ended_, one_line(text), is_too_long_ ? "..." : "");
     }
     samples.push_back(std::numeric_limits<double>::quiet_NaN());

@@ -36,13 +36,13 @@ class Punctuality {
     reported_silence_ = false;
     const double late_s = clock_.late_by(*last_s_, all);
     if (late_s > 0)
-      spdlog::warn("after {:.1f} s of signal the samples are {:.1f} s late", signal_s, late_s);
+      spdlog::warn("after {:.1f} s of signal, the samples are {:.1f} s late", signal_s, late_s);
   }
 
   void nothing_came(double signal_s) {
     if (!last_s_ || reported_silence_ || now_s() - *last_s_ <= options_.late_s) return;
     reported_silence_ = true;
-    spdlog::warn("after {:.1f} s of signal no samples come", signal_s);
+    spdlog::warn("after {:.1f} s of signal, no samples arrive", signal_s);
   }
 
   /// Returns "" without --realtime.
@@ -75,7 +75,7 @@ std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   const SampleDecoder& decoder = monitor.decoder();
-  if (breaks > 0) add("the file began anew " + counted(breaks, "time"));
+  if (breaks > 0) add("the file restarted " + counted(breaks, "time"));
   if (monitor.samples_not_finite() > 0) {
     add(counted(monitor.samples_not_finite(), "sample") + " not finite or beyond 1e36");
   }
@@ -84,7 +84,7 @@ std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
   }
   if (decoder.waiting() > 0) add(counted(decoder.waiting(), "byte") + " of an unfinished sample");
   if (ended && decoder.wav().missing() > 0) {
-    add(counted(decoder.wav().missing(), "byte") + " that the WAV header promises");
+    add(counted(decoder.wav().missing(), "byte") + " fewer than the WAV header declares");
   }
   return (text.empty() ? "nothing lost" : "lost: " + text) + other_format(monitor);
 }
@@ -105,7 +105,7 @@ class Gaps {
     }
     if (has_windows && !std::exchange(reported_format_, true)) {
       const std::string other = other_format(*monitor_);
-      if (!other.empty()) spdlog::warn("the samples have odd sizes{}", other);
+      if (!other.empty()) spdlog::warn("the samples have unusual magnitudes{}", other);
     }
     if (has_windows || monitor_->samples_not_finite() == 0) return;
     if (!std::exchange(reported_samples_, true)) {
@@ -148,8 +148,8 @@ void require_windows(const Monitor& monitor, const Input& input) {
 void bind(const cli::Options& command, WatchOptions& options) {
   constexpr Range late_s{.low = 0.01, .high = 1e6, .unit = " s"};
   command.flag("--realtime", options.realtime,
-               "compare the samples with the clock, and say when they are late");
-  command.add("--late-s", options.late_s, "with --realtime: how late they may be, in s")
+               "compare the samples with the clock, and warn if they are late");
+  command.add("--late-s", options.late_s, "with --realtime: largest delay without a warning, s")
       .check(cli::within(late_s));
 }
 
@@ -181,8 +181,8 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
       case Input::Event::broken:
         ++breaks;
         spdlog::warn(
-            "{}: was cut or replaced after {:.1f} s of signal, and is read from its "
-            "beginning; samples may be lost",
+            "{}: was truncated or replaced after {:.1f} s of signal, and is read from its start; "
+            "samples may be lost",
             one_line(input.name()), monitor.signal_s());
         monitor.skip();
         break;
@@ -195,8 +195,8 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
   monitor.finish(report);
   write_lines();
   if (ended) require_windows(monitor, input);
-  return summary_of(monitor, ended ? "its end" : "it was told to stop") +
-         lost(monitor, breaks, ended) + punctuality.summary();
+  return summary_of(monitor, ended ? "its end" : "it was stopped") + lost(monitor, breaks, ended) +
+         punctuality.summary();
 }
 
 }  // namespace piae::monitor

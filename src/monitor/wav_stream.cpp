@@ -62,7 +62,7 @@ void WavStream::read_part() {
   switch (part_) {
     case Part::beginning:
       if (!has_text_at(0, "RIFF") || !has_text_at(8, "WAVE")) {
-        refuse("does not begin as WAV does (RIFF, WAVE); for raw samples --format f32");
+        refuse("does not begin like WAV (RIFF, WAVE); for raw samples write --format f32");
       }
       return expect(Part::chunk, 8);
     case Part::chunk:
@@ -79,14 +79,14 @@ void WavStream::read_part() {
 void WavStream::read_chunk() {
   const std::uint32_t length = number_at(4, 4);
   if (has_text_at(0, "RIFF") || (has_text_at(0, "data") && has_samples_)) {
-    refuse("holds a second recording; pipe in one, or raw samples");
+    refuse("holds a second recording; pipe in only one, or raw samples");
   }
   if (has_text_at(0, "fmt ")) {
     if (length < shortest_format || length > longest_format) refuse("its WAV header is damaged");
     return expect(Part::format, padded(length));
   }
   if (has_text_at(0, "data")) {
-    if (coding_.bits == 0) refuse("its WAV header does not say the format of the samples");
+    if (coding_.bits == 0) refuse("its WAV header does not declare the format of the samples");
     has_samples_ = true;
     endless_ = length == 0 || length >= shortest_unknown;
     return expect(Part::samples, length);
@@ -109,20 +109,20 @@ void WavStream::read_format() {
                             ? bits == 32 || bits == 64
                             : kind == whole_numbers && (bits == 16 || bits == 24 || bits == 32);
   if (channels != 1) {
-    refuse(fmt::format("has {} channels; pipe in one: sox FILE -t wav - remix 1", channels));
+    refuse(fmt::format("has {} channels; pipe in only one: sox FILE -t wav - remix 1", channels));
   }
   if (!is_known) {
     refuse(
-        fmt::format("is WAV of kind {} and {} bits; read are PCM of 16, 24, 32 bits and floats of "
-                    "32, 64: sox FILE -b 16 -t wav -",
+        fmt::format("is WAV of kind {} with {} bits; supported are PCM of 16, 24, 32 bits and "
+                    "floats of 32, 64; convert it: sox FILE -b 16 -t wav -",
                     kind, bits));
   }
   if (number_at(12, 2) != bits / 8) refuse("its WAV header is damaged");
   constexpr double rounding_hz = 0.5;
   if (std::abs(rate_hz - rate_hz_) > rounding_hz) {
-    refuse(
-        fmt::format("its WAV header says {} Hz, --sample-rate-hz {:g}; give the one of the header",
-                    rate_hz, rate_hz_));
+    refuse(fmt::format(
+        "its WAV header declares {} Hz, but --sample-rate-hz is {:g}; use the rate of the header",
+        rate_hz, rate_hz_));
   }
   coding_ = {is_float, bits};
 }

@@ -63,9 +63,10 @@ std::size_t possible_count(const Where& where, const Shape& shape) {
   const std::size_t count = count_of(shape);
   const std::uint64_t most = limits_of(where.file).most_samples;
   if (count > most) {
-    refuse(where, fmt::format("is said to have {} values, more than the {} that a file of this "
-                              "size can hold: it is damaged",
-                              count, most));
+    refuse(where,
+           fmt::format(
+               "declares {} values, but a file of this size holds at most {}; the file is damaged",
+               count, most));
   }
   return count;
 }
@@ -79,13 +80,13 @@ std::vector<double> vector_of(const Where& where, const Array& array,
     return array.numbers();
   }
   if (shape.size() != 2) {
-    refuse(where, fmt::format("is no matrix, but {}; leave out the row or column",
+    refuse(where, fmt::format("is not a matrix, its size is {}; leave out the row or column",
                               fmt::join(shape, " x ")));
   }
   const std::size_t there = line->is_row ? shape[0] : shape[1];
   if (line->number > there) {
-    refuse(where,
-           fmt::format("has {} {}, no {}", there, line->is_row ? "rows" : "columns", line->number));
+    refuse(where, fmt::format("has {} {}; number {} does not exist", there,
+                              line->is_row ? "rows" : "columns", line->number));
   }
   return line_of(array.numbers(), *line, shape, array.is_column_major);
 }

@@ -30,10 +30,10 @@ void require_same_table(const fs::path& file, std::size_t number, std::string_vi
                         const CsvLayout& layout) {
   if (number == layout.first_line || !holds_no_number(line, layout.separator)) return;
   const std::string_view text = trimmed(line, blanks);
-  refuse_csv_line(file, number,
-                  (text.empty() ? "is blank" : "holds " + csv_field_in_quotes(text)) +
-                      " between the numbers; where another table begins here, save that in a file "
-                      "of its own");
+  refuse_csv_line(
+      file, number,
+      (text.empty() ? "is blank" : "holds " + csv_field_in_quotes(text)) +
+          " between lines of numbers; if another table begins here, save it in a file of its own");
 }
 
 /// Returns the needed fields of a line. Each line must have the same number of fields, and may end
@@ -55,7 +55,7 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
   if (count != layout.fields && !ends_with_separator) {
     require_same_table(file, number, line, layout);
     refuse_csv_line(file, number,
-                    "has " + std::to_string(count) + " fields, the lines before " +
+                    "has " + std::to_string(count) + " fields, the lines above have " +
                         std::to_string(layout.fields));
   }
   return found;
@@ -116,15 +116,15 @@ Signal read_table(const fs::path& file, const std::string& column) {
     }
     if (layout.separator != ',' && !sign.fits(field)) {
       refuse(
-          ", and a line before has the other decimal sign; write all with a decimal point, and "
-          "no sign between thousands");
+          ", but a line above has the other decimal sign; write decimal points and no thousands "
+          "separators");
     }
     doubts.look_at(line, fields, all);
     if (may_be_torn && (is_torn_decimal(field, all) || is_torn_decimal(fields.partner, all))) {
       may_be_torn = !has_signs_behind_commas(layout.numbers);
       if (may_be_torn) {
         refuse(
-            ": numbers with a decimal comma, it seems, and commas between the fields; write "
+            ": the numbers seem to have decimal commas, and the fields commas between them; write "
             "decimal points, or separate the fields by semicolons");
       }
     }
@@ -135,8 +135,8 @@ Signal read_table(const fs::path& file, const std::string& column) {
   if (!numbers.empty()) doubts.require_none();
   if (numbers.size() == 1 && layout.fields > largest_row) {
     refuse_csv_line(file, layout.first_line,
-                    "is the only one and has " + std::to_string(layout.fields) +
-                        " fields: a row is expected to be one moment; write a number a line");
+                    "is the only line and has " + std::to_string(layout.fields) +
+                        " fields, but a row is one moment; write one number per line");
   }
   Signal signal{.samples = std::move(numbers), .columns = layout.fields};
   if (times.size() == signal.samples.size()) signal.times = times_in(times, layout.times);

@@ -37,28 +37,28 @@ void CsvDoubts::require_none() const {
   if (commas_ > 0 && commas_ == in_thousands_) {
     refuse_csv_line(file_, comma_line_,
                     "holds " + csv_field_in_quotes(comma_) +
-                        ", and all like it may have decimals or thousands behind the comma; write "
-                        "decimal points, and no sign between thousands");
+                        ", where the comma may precede decimals or thousands; write decimal points "
+                        "and no thousands separators");
   }
   if (all_in_groups_ && any_padded_) {
     refuse_csv_line(file_, layout_.first_line,
-                    "has blanks between thousands, it seems; write none");
+                    "seems to have blanks between thousands; remove them");
   }
   if (worded_ == 0 || worded_ > numbered_) return;
   refuse_csv_line(file_, word_line_,
                   "begins with " + csv_field_in_quotes(word_) +
-                      ", where other lines have a number: it is not of the table, it seems; save "
-                      "that in a file of its own");
+                      ", where other lines have a number; if another table begins here, save it in "
+                      "a file of its own");
 }
 
 void CsvDoubts::look_at_comma(std::size_t line, std::string_view field, std::string_view all) {
   for (std::optional rest = all; rest;) {
     const std::string_view other = take_field(rest, layout_.separator);
     if (other.find('.') == other.npos || !number_in_field(other, layout_.separator)) continue;
-    refuse_csv_line(file_, line,
-                    "holds " + csv_field_in_quotes(field) + " and " + csv_field_in_quotes(other) +
-                        ": both decimal signs; write all with a decimal point, and no sign "
-                        "between thousands");
+    refuse_csv_line(
+        file_, line,
+        "holds " + csv_field_in_quotes(field) + " and " + csv_field_in_quotes(other) +
+            ", with two decimal signs; write decimal points and no thousands separators");
   }
   if (commas_++ == 0) {
     comma_ = field;

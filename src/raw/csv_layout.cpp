@@ -59,8 +59,7 @@ std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number
     if (fields.size() == most) {
       refuse_csv_line(file, number,
                       "has more than " + std::to_string(most) +
-                          " columns: a row is expected to be one moment; write a "
-                          "number a line");
+                          " columns, but a row is one moment; write one number per line");
     }
     fields.push_back(take_field(rest, separator));
   }
@@ -236,9 +235,9 @@ class Search {
       if (!counts || above == 0 || above > most || column.size() < above + enough) continue;
       refuse_csv_line(file_, found.first_line,
                       "column " + column_ + " holds " + csv_field_in_quotes(column.front()) +
-                          ", written otherwise than the numbers below, such as " +
+                          ", in another format than the numbers below, such as " +
                           csv_field_in_quotes(column.back()) +
-                          ": no sample, it seems; remove what stands above the table");
+                          "; it seems not to be a sample: remove the lines above the table");
     }
   }
 
@@ -299,7 +298,10 @@ class Search {
       for (const char separator : {';', '\t', '|', ',', ' '}) {
         const auto header = fields(lines_[i], separator);
         const auto times = std::ranges::count(header, std::string_view(column_));
-        if (times > 1) refuse_csv_line(file_, lines_[i].number, "has several columns " + column_);
+        if (times > 1) {
+          refuse_csv_line(file_, lines_[i].number,
+                          "has several columns " + column_ + "; name one by its number");
+        }
         if (times == 0) continue;
         const auto place = std::ranges::find(header, std::string_view(column_));
         const auto column = static_cast<std::size_t>(place - header.begin());
@@ -378,10 +380,11 @@ class Search {
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
     }
     if (std::ranges::any_of(names, has_control_characters)) {
-      refuse_csv_line(file_, header->number,
-                      fmt::format("has no column {}; it is not in UTF-8, so name the column by its "
-                                  "number, 1 to {}",
-                                  column_, count));
+      refuse_csv_line(
+          file_, header->number,
+          fmt::format("has no column {}; the file is not in UTF-8, so name the column by its "
+                      "number, 1 to {}",
+                      column_, count));
     }
     refuse_csv_line(
         file_, header->number,

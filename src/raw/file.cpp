@@ -20,11 +20,11 @@ void require_agreeing_times(const std::filesystem::path& file, const Times& time
   if (times.unit_s == 0 || times.step == 0) return;
   const auto other = contradicting_rate(times, sample_rate_hz);
   if (!other) return;
-  refuse_file(file,
-              fmt::format("is sampled at {:.5g} Hz, by the times in column {}, which step by "
-                          "{:.5g} s, not at {:g} Hz: correct its sample_rate_hz, or the "
-                          "unit that the column names",
-                          other->hz, times.column, times.step * times.unit_s, sample_rate_hz));
+  refuse_file(
+      file,
+      fmt::format("is sampled at {:.5g} Hz by the times in column {}, which step by {:.5g} s, not "
+                  "at {:g} Hz; correct its sample_rate_hz, or the unit in the name of that column",
+                  other->hz, times.column, times.step * times.unit_s, sample_rate_hz));
 }
 
 }  // namespace
@@ -36,15 +36,18 @@ Signal signal_here(const std::filesystem::path& file, const std::string& variabl
   const bool differs =
       sample_rate_hz && own_hz > 0 && std::abs(own_hz / *sample_rate_hz - 1) > 1e-3;
   if (differs) {
-    refuse_file(file, fmt::format("is sampled at {:g} Hz, by what it says itself, not at {:g} Hz: "
-                                  "correct its sample_rate_hz",
-                                  own_hz, *sample_rate_hz));
+    refuse_file(
+        file,
+        fmt::format("declares a sample rate of {:g} Hz, not {:g} Hz; correct its sample_rate_hz",
+                    own_hz, *sample_rate_hz));
   }
   if (sample_rate_hz) require_agreeing_times(file, signal.times, *sample_rate_hz);
   if (signal.samples.empty()) refuse_file(file, variable + " holds no sample");
   if (signal.samples.size() == 1) {
-    refuse_file(file, fmt::format("{} holds one number, {:g}: no recording", variable,
-                                  signal.samples.front()));
+    refuse_file(
+        file,
+        fmt::format("{} holds only one number, {:g}; name the variable that holds the samples",
+                    variable, signal.samples.front()));
   }
   return signal;
 }

@@ -34,17 +34,18 @@ Signal unrated(const fs::path& file, const std::string& variable) {
 }
 
 constexpr const char* other_sound =
-    "is sound in a format that is not read: sox FILE OUT.wav writes one that is";
+    "is sound in an unsupported format; convert it: sox FILE OUT.wav";
 constexpr const char* lossy_sound =
-    "is sound that was compressed with loss, which changes vibration: record WAV or FLAC";
+    "is sound with lossy compression, which changes vibration; record WAV or FLAC";
 constexpr const char* measurement_data_format =
     "is an MDF file (ASAM): export the channel as CSV (asammdf: MDF(FILE).export('csv'))";
 constexpr const char* table_of_columns =
     "is a table in Parquet or Arrow: save it as CSV (pandas: read_parquet(FILE).to_csv(OUT))";
 constexpr const char* pickled =
-    "is pickled by Python: save the array by np.save('x.npy', a), or as CSV";
-constexpr const char* marked_up = "is XML or HTML, no table of numbers: export the samples as CSV";
-constexpr const char* json = "is JSON: write the samples as CSV, a row a sample";
+    "is a Python pickle: save the array with np.save('x.npy', a), or as CSV";
+constexpr const char* marked_up =
+    "is XML or HTML, not a table of numbers: export the samples as CSV";
+constexpr const char* json = "is JSON: write the samples as CSV, one per row";
 
 const std::array marks{
     Mark{"MATLAB 5.0 MAT-file", 0, unrated<read_mat>},
@@ -60,11 +61,11 @@ const std::array marks{
     Mark{"LabVIEW Measurement", 0, read_lvm},
     Mark{"TDSm", 0, read_tdms},
     Mark{"TDSh", 0, nullptr, "is the index of a TDMS file: name the file that ends in .tdms"},
-    Mark{"\x1f\x8b", 0, nullptr, "is packed by gzip: unpack it (gunzip)"},
-    Mark{"BZh", 0, nullptr, "is packed by bzip2: unpack it (bunzip2)"},
+    Mark{"\x1f\x8b", 0, nullptr, "is compressed with gzip: unpack it (gunzip)"},
+    Mark{"BZh", 0, nullptr, "is compressed with bzip2: unpack it (bunzip2)"},
     Mark{"\xfd"
          "7zXZ",
-         0, nullptr, "is packed by xz: unpack it (unxz)"},
+         0, nullptr, "is compressed with xz: unpack it (unxz)"},
     Mark{"7z\xbc\xaf", 0, nullptr, "is a 7z archive: unpack it"},
     Mark{"Rar!", 0, nullptr, "is a RAR archive: unpack it"},
     Mark{std::string_view("PK\x03\x04\x14\0\6\0", 8), 0, nullptr,
@@ -75,7 +76,7 @@ const std::array marks{
          "is a zip archive (.zip, .npz) or an Excel workbook: unpack it (unzip), or save the sheet "
          "as CSV"},
     Mark{"\xd0\xcf\x11\xe0", 0, nullptr,
-         "is an Excel workbook of before 2007: save the sheet as CSV (File, Save as, CSV)"},
+         "is an Excel workbook from before 2007: save the sheet as CSV (File, Save as, CSV)"},
     Mark{"%PDF", 0, nullptr, "is a PDF document, not a recording"},
     Mark{".snd", 0, nullptr, other_sound},  // Sun's .au
     Mark{"caff", 0, nullptr, other_sound},
@@ -92,7 +93,7 @@ const std::array marks{
     Mark{"UnFinMF ", 0, nullptr, measurement_data_format},
     Mark{"PAR1", 0, nullptr, table_of_columns},
     Mark{"ARROW1", 0, nullptr, table_of_columns},
-    Mark{"SQLite format 3", 0, nullptr, "is a database of SQLite: export the samples as CSV"},
+    Mark{"SQLite format 3", 0, nullptr, "is an SQLite database: export the samples as CSV"},
     Mark{"\x80\x03", 0, nullptr, pickled},
     Mark{"\x80\x04", 0, nullptr, pickled},
     Mark{"\x80\x05", 0, nullptr, pickled},
@@ -152,11 +153,12 @@ Read reader_of(const fs::path& file) {
   if (std::ranges::count(marked_extensions, extension) == 0) return read_table;
   if (extension != ".mat") {
     refuse_file(file,
-                "truncated, damaged or not what '" + extension + "' says: it does not begin so");
+                "truncated, damaged or not a '" + extension + "' file: it does not begin like one");
   }
   if (is_mat4(bytes)) {
     refuse_file(
-        file, "is of MATLAB, version 4: save it as version 5 (save -v7 FILE, or savemat of SciPy)");
+        file,
+        "is a MATLAB file of version 4: save it as version 5 (save -v7 FILE, or savemat of SciPy)");
   }
   return unrated<read_mat>;  // read_mat reports what is wrong
 }

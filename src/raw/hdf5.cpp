@@ -147,13 +147,14 @@ class Hdf5Node : public Node {
       return "a sparse matrix; export full(...) of it";
     }
     if (is_matlab_ && H5Aexists(object_, "MATLAB_object_decode") > 0) {
-      return "a " + matlab_class() +
-             " of MATLAB; export its values: x = T.Var1; save('x.mat', 'x')";
+      return "a MATLAB " + matlab_class() + "; export its values: x = T.Var1; save('x.mat', 'x')";
     }
     const bool is_compound = is_dataset() && type_class() == H5T_COMPOUND;
-    if (is_compound && is_matlab_) return "of complex numbers; export real(...) of it";
-    if (is_compound && is_complex()) return "of complex numbers; write the real part of it";
-    if (is_dataset() && type_class() == H5T_ENUM) return "of names or truth values; write numbers";
+    if (is_compound && is_matlab_) return "an array of complex numbers; export real(...) of it";
+    if (is_compound && is_complex()) return "an array of complex numbers; write its real part";
+    if (is_dataset() && type_class() == H5T_ENUM) {
+      return "an array of names or booleans; write numbers";
+    }
     return is_compound ? "a table of records; export one column of it as a dataset"
                        : "neither numbers nor text";
   }
@@ -212,8 +213,8 @@ class Hdf5Node : public Node {
     const hdf5::Handle creation(H5Dget_create_plist(object_), "dataset");
     if (H5Pget_layout(creation) == H5D_VIRTUAL || H5Pget_external_count(creation) != 0) {
       refuse(here("dataset"),
-             "is virtual or external: its values stand in other files or datasets; name the file "
-             "that holds them, or write them out (h5py: out['x'] = file['x'][:])");
+             "is virtual or external: its values are in other files or datasets; name the file "
+             "that holds them, or copy them (h5py: out['x'] = file['x'][:])");
     }
     require_known_filters(creation);
     std::vector<double> numbers(possible_count(here("dataset"), shape()));
@@ -241,9 +242,10 @@ class Hdf5Node : public Node {
                          name.size() - 1, name.data(), &config);
       if (filter < 0 || H5Zfilter_avail(filter) > 0) continue;
       refuse(here("dataset"),
-             fmt::format("is packed by the filter {} ({}), which is not read; write it by gzip "
-                         "(h5py: create_dataset(..., compression='gzip'))",
-                         filter, name.data()));
+             fmt::format(
+                 "is compressed by the filter {} ({}), which is not supported; write it with gzip "
+                 "(h5py: create_dataset(..., compression='gzip'))",
+                 filter, name.data()));
     }
   }
   /// True for h5py's compound type of complex numbers.
@@ -297,7 +299,9 @@ hdf5::Handle opened(const fs::path& path) {
 std::optional<hdf5::Handle> object_at(const fs::path& path, hid_t file, std::string name) {
   const std::string written = name;
   const Place place = resolve(file, name);
-  if (place == Place::elsewhere) refuse_file(path, written + " is a link to another file");
+  if (place == Place::elsewhere) {
+    refuse_file(path, written + " is a link to another file; name that file");
+  }
   if (place == Place::nowhere) return std::nullopt;
   return opened_object(file, name);
 }

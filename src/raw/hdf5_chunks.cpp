@@ -18,7 +18,7 @@ using Extents = std::vector<hsize_t>;
 
 [[noreturn]] void refuse_unwritten(const Where& where) {
   refuse(where,
-         "has values that were never written, or is damaged: copy the part that holds samples to a "
+         "has values that were never written, or is damaged; copy the part that holds samples to a "
          "dataset of its own");
 }
 
@@ -76,7 +76,7 @@ Stored stored_chunk(const Where& where, hid_t dataset, const Extents& place,
     refuse_unwritten(where);
   }
   if (stored.bytes > limits_of(where.file).file_bytes) {
-    refuse(where, "is damaged: a chunk of it is larger than the file");
+    refuse(where, "is damaged: one of its chunks is larger than the file");
   }
   buffer.resize(std::max<std::size_t>(buffer.size(), stored.bytes));
   if (H5Dread_chunk(dataset, H5P_DEFAULT, place.data(), &stored.left_out, buffer.data()) < 0) {
@@ -106,12 +106,12 @@ void require_chunks(const Where& where, hid_t dataset, hid_t creation) {
     const bool is_packed = (filters.optional & ~chunk_there.left_out) != 0;
     if ((chunk_there.left_out & ~filters.optional) != 0 ||
         (!is_packed && chunk_there.bytes != unpacked)) {
-      refuse(where, "is damaged: a chunk of it is not stored as the dataset says");
+      refuse(where, "is damaged: one of its chunks contradicts its extents or filters");
     }
     sum += chunk_there.bytes;
   } while (advance(place, chunk, extents));
   if (sum != H5Dget_storage_size(dataset)) {
-    refuse(where, "is damaged: its chunks are others than those of its extents and filters");
+    refuse(where, "is damaged: its chunks do not match its extents and filters");
   }
 }
 
@@ -122,7 +122,7 @@ void require_whole_piece(const Where& where, hid_t dataset) {
   const hdf5::Handle type(H5Dget_type(dataset), "type");
   const auto values = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
   if (values * H5Tget_size(type) != H5Dget_storage_size(dataset)) {
-    refuse(where, "is damaged: it is not stored as its extents and type say");
+    refuse(where, "is damaged: its stored size does not match its extents and type");
   }
   const hdf5::Handle file(H5Iget_file_id(dataset), "file");
   const hdf5::Handle creation(H5Fget_create_plist(file), "file");
@@ -134,7 +134,7 @@ void require_whole_piece(const Where& where, hid_t dataset) {
   const hsize_t bytes = H5Dget_storage_size(dataset);
   end += user_block;
   if (at == HADDR_UNDEF || (at <= end && bytes <= end - at)) return;
-  refuse(where, "is damaged: its values go beyond the end that the file states");
+  refuse(where, "is damaged: its values extend beyond the declared end of the file");
 }
 
 }  // namespace

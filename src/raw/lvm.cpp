@@ -106,7 +106,7 @@ class LvmReader {
     if (found) return *found;
     if (std::ranges::any_of(names, has_control_characters)) {
       refuse_line(
-          fmt::format("has no channel {}; it is not in UTF-8, so name the channel by its "
+          fmt::format("has no channel {}; the file is not in UTF-8, so name the channel by its "
                       "number, 1 to {}",
                       wanted, channels));
     }
@@ -128,8 +128,9 @@ class LvmReader {
     const std::string_view field = entry("Samples", column(channel));
     const auto count = number_in<std::size_t>(field);
     if (!count) {
-      refuse_line(fmt::format("ends a header that has {} samples of channel {}",
-                              csv_field_in_quotes(field), channel + 1));
+      refuse_line(
+          fmt::format("ends a header that declares {} samples of channel {}, not a whole number",
+                      csv_field_in_quotes(field), channel + 1));
     }
     return *count;
   }
@@ -146,15 +147,15 @@ class LvmReader {
       const Fields row = fields(take());
       require_row(row);
       if (rows == packet && !has_one_heading_) {
-        refuse_line(fmt::format("is a row more than the {} of its header", packet));
+        refuse_line(fmt::format("is one row more than the {} that its header declares", packet));
       }
       const bool has_value = packet > 0 && rows % packet < count;
       const auto value = value_in(row, has_value);
       if (value) samples.push_back(*value);
     }
     if (rows < packet) {
-      refuse_file(file_,
-                  fmt::format("truncated: it has {} rows, its header says {}", rows, packet));
+      refuse_file(file_, fmt::format("truncated: it has {} rows, but its header declares {}", rows,
+                                     packet));
     }
     return samples;
   }
@@ -162,13 +163,13 @@ class LvmReader {
   void require_row(const Fields& row) const {
     if (is_blank(row) || row.front().starts_with("***") || row.front() == "Channels") {
       refuse_line(
-          "ends the first segment, and another one follows, with a header of its own: time may be "
-          "missing between them; save a file a segment, or one header only");
+          "ends the first segment, and another one with its own header follows: time may be "
+          "missing between them; save each segment as a file, or write only one header");
     }
     const bool ends_with_separator = row.size() == names_.size() + 1 && row.back().empty();
     if (row.size() > names_.size() && !ends_with_separator) {
       refuse_line(
-          fmt::format("has {} fields, the names of its columns are {}", row.size(), names_.size()));
+          fmt::format("has {} fields, but only {} column names", row.size(), names_.size()));
     }
   }
 
@@ -179,11 +180,11 @@ class LvmReader {
     const auto holds = [&] {
       return fmt::format("channel {} holds {}", names_[place], csv_field_in_quotes(field));
     };
-    if (!has_value) refuse_line(holds() + ", where its header says that it has no value");
+    if (!has_value) refuse_line(holds() + ", where its header declares no value");
     const auto value = number_in_field(field, separator_);
     if (!value) refuse_line(holds() + ", not a number");
     if (separator_ != ',' && !sign_.fits(field)) {
-      refuse_line(holds() + ", whose decimal sign is not that of the file");
+      refuse_line(holds() + ", whose decimal sign is not the one in the header");
     }
     return value;
   }

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* what_objects_are =
-    "an object of MATLAB, such as a table; export its values: x = T.Var1; save('x.mat', 'x')";
+    "a MATLAB object, such as a table; export its values: x = T.Var1; save('x.mat', 'x')";
 
 struct Close {
   void operator()(mat_t* file) const { Mat_Close(file); }
@@ -71,10 +71,9 @@ std::vector<std::string> names_in(const fs::path& path) {
 void require_no_other(const fs::path& path, const std::string& name) {
   const auto count = std::ranges::count(names_in(path), name);
   if (count < 2) return;
-  refuse_file(path,
-              fmt::format("has {} variables {}, of which programs take the first or the last; "
-                          "save it with a name for each",
-                          count, name));
+  refuse_file(path, fmt::format("has {} variables named {}, and programs read different ones; save "
+                                "it with distinct names",
+                                count, name));
 }
 
 [[noreturn]] void refuse_missing_variable(const fs::path& path, const std::string& wanted) {
@@ -139,7 +138,7 @@ class Mat5Node : public Node {
   [[nodiscard]] std::string what() const override {
     if (variable_->class_type == MAT_C_SPARSE) return "a sparse matrix; export full(...) of it";
     if (variable_->class_type == MAT_C_FUNCTION) return "a function";
-    if (variable_->isComplex != 0) return "of complex numbers; export real(...) of it";
+    if (variable_->isComplex != 0) return "an array of complex numbers; export real(...) of it";
     return what_objects_are;
   }
 

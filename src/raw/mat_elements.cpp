@@ -16,8 +16,8 @@ constexpr std::uint32_t compressed = 15;  // miCOMPRESSED
 
 bool is_big_endian(std::span<const std::byte> bytes) { return bytes[126] == std::byte{'M'}; }
 
-const std::string bad_checksum = "the checksum of what it has compressed does not match";
-const std::string bad_structure = "a variable does not hold what its size and type say";
+const std::string bad_checksum = "the checksum of its compressed data does not match";
+const std::string bad_structure = "the content of a variable contradicts its size or type";
 
 /// Reads the bytes of an element in order. Throws the flaw as a string.
 class Content {

@@ -66,9 +66,11 @@ void require_field(const Where& where, const Node& node, const std::string& name
   const auto count = std::ranges::count(fields, name);
   if (count == 1) return;
   if (count > 1) {
-    refuse(where, fmt::format("has {} fields {}, of which programs take one or another; save it "
-                              "with a name for each",
-                              count, name));
+    refuse(
+        where,
+        fmt::format(
+            "has {} fields named {}, and programs read different ones; save it with distinct names",
+            count, name));
   }
   refuse(where, fmt::format("has no field {}; it has {}", name, listed(fields)));
 }
@@ -90,8 +92,8 @@ std::size_t element_called(const Where& where, const Node& node, const PathStep&
     refuse(where, fmt::format("has {} elements whose {} is {}: {}; name one of these", found.size(),
                               step.key, step.value, listed(elements)));
   }
-  refuse(where, fmt::format("has no element whose {} is {}{}", step.key, step.value,
-                            element_names(where, node)));
+  refuse(where, fmt::format("has no element whose {} is {}; name one by its number{}", step.key,
+                            step.value, element_names(where, node)));
 }
 
 /// Returns the element in a row and a column, counted from 0 down the columns, as MATLAB stores
@@ -107,10 +109,9 @@ std::size_t element_at(const Where& where, const Shape& shape, const PathStep& s
 /// Returns the element of a structure or cell array that a step names, counted from 0.
 std::size_t element_of(const Where& where, const Node& node, const PathStep& step) {
   if (node.kind() == Kind::numbers && step.number > 0) {
-    refuse(where,
-           fmt::format("holds numbers, of which {} is one; name a row, {}(1,:), or a column, "
-                       "{}(:,1), of a matrix, or all of a vector, {}",
-                       brackets_of(step, node.kind()), where.name, where.name, where.name));
+    refuse(where, fmt::format("holds numbers, and {} is only one of them; name a row {}(1,:) or a "
+                              "column {}(:,1) of a matrix, or a whole vector {}",
+                              brackets_of(step, node.kind()), where.name, where.name, where.name));
   }
   if (node.kind() != Kind::structure && node.kind() != Kind::cell) {
     refuse(where, "is neither a structure nor a cell array");
@@ -118,7 +119,9 @@ std::size_t element_of(const Where& where, const Node& node, const PathStep& ste
   if (!step.key.empty()) return element_called(where, node, step);
   const std::size_t count = count_of(node.shape());
   if (step.column > 0) return element_at(where, node.shape(), step);
-  if (step.number > count) refuse(where, fmt::format("has {} elements, no {}", count, step.number));
+  if (step.number > count) {
+    refuse(where, fmt::format("has {} elements; number {} does not exist", count, step.number));
+  }
   if (step.number == 0 && count != 1) refuse_kind(where, node);
   return step.number == 0 ? 0 : step.number - 1;
 }

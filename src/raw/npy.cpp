@@ -34,7 +34,7 @@ struct Header {
 };
 
 [[noreturn]] void refuse_header(const fs::path& file) {
-  refuse_file(file, "truncated, damaged or not a file of NumPy: its header cannot be read");
+  refuse_file(file, "truncated, damaged or not a NumPy file: its header cannot be read");
 }
 
 /// Returns the text after a key, up to one of `ends`.
@@ -81,7 +81,7 @@ Header header_of(const fs::path& file, std::string_view bytes) {
   if (type.size() < 3 || type[0] != '\'') {
     const std::size_t name = text.find("[('");
     const std::string_view field = name == text.npos ? "" : text.substr(name + 3);
-    refuse_file(file, fmt::format("is a record array of NumPy; save one field of it: "
+    refuse_file(file, fmt::format("is a NumPy record array; save one of its fields: "
                                   "np.save('x.npy', a['{}'])",
                                   field.empty() ? "FIELD" : field.substr(0, field.find('\''))));
   }
@@ -130,7 +130,7 @@ const char* words_for(std::string_view type) {
     case 'c':
       return "complex numbers";
     case 'b':
-      return "truth values";
+      return "booleans";
     case 'O':
       return "Python objects";
     case 'U':
@@ -140,7 +140,7 @@ const char* words_for(std::string_view type) {
     case 'm':
       return "times";
     default:
-      return "a type of values";
+      return "values of an unknown type";
   }
 }
 
@@ -162,7 +162,7 @@ std::vector<double> read_npy(const fs::path& file, const std::string& variable) 
   const auto type = std::ranges::find(types, header.type, &Type::name);
   if (type == types.end()) {
     const bool is_complex = header.type.starts_with('c');
-    refuse_file(file, fmt::format("holds {}, '{}' of NumPy, which is not read; save {}",
+    refuse_file(file, fmt::format("holds {} (NumPy type '{}'), which is not supported; save {}",
                                   words_for(header.type), header.type,
                                   is_complex ? "its real part: np.save('x.npy', a.real)"
                                              : "numbers: np.save('x.npy', a.astype('f8'))"));
@@ -170,8 +170,8 @@ std::vector<double> read_npy(const fs::path& file, const std::string& variable) 
   std::string name = variable;
   const auto line = take_matrix_line(name);
   if (!name.empty() && (line || name != "1")) {
-    refuse_file(file, fmt::format("has no variable {}: it holds one array; the variable is 1, or a "
-                                  "row or column of a matrix, (1,:)",
+    refuse_file(file, fmt::format("has no variable {}: it holds one array; name it 1, or name a "
+                                  "row (1,:) or a column (:,1) of a matrix",
                                   variable));
   }
   const Where where{.file = file, .noun = "array", .name = ""};

@@ -35,7 +35,7 @@ class Pipe {
  public:
   Pipe() {
     if (::pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw Error(Exit::failed, "no pipe: " + std::generic_category().message(errno));
+      throw Error(Exit::failed, "cannot make a pipe: " + std::generic_category().message(errno));
     }
   }
   Pipe(const Pipe&) = delete;
@@ -152,7 +152,8 @@ class Names {
     const auto bytes = std::as_bytes(std::span(text));
     if (descriptor_ < 0 || !write_all(descriptor_, bytes) ||
         ::lseek(descriptor_, 0, SEEK_SET) < 0) {
-      throw Error(Exit::failed, "names of files: " + std::generic_category().message(errno));
+      throw Error(Exit::failed, "cannot hand the names of files to read_raw: " +
+                                    std::generic_category().message(errno));
     }
   }
   Names(const Names&) = delete;
@@ -203,7 +204,7 @@ class Reader {
     const int status = wait_after(0);
     if (WIFSIGNALED(status)) refuse_signal(WTERMSIG(status));
     if (WEXITSTATUS(status) != 0) refuse_as_it_does(WEXITSTATUS(status));
-    if (incoming_.whole() != files_.size()) refuse("its reader wrote less than it read");
+    if (incoming_.whole() != files_.size()) refuse("its reader returned too few samples");
     return incoming_.take_all();
   }
 
@@ -268,13 +269,14 @@ class Reader {
   /// among lines of libraries.
   [[noreturn]] void refuse_as_it_does(int status) const {
     if (status == cannot_be_run) {
-      throw Error(
-          Exit::failed,
-          program_ + ": cannot be run; it must stand beside the other programs (`make build`)");
+      throw Error(Exit::failed,
+                  program_ + ": cannot be run; put it next to the other programs (`make build`)");
     }
     const std::string mark = "read_raw: ";
     const std::size_t begin = error_.find(mark);
-    if (begin == std::string::npos) refuse("its reader ended with " + std::to_string(status));
+    if (begin == std::string::npos) {
+      refuse("its reader ended with exit code " + std::to_string(status));
+    }
     const std::size_t end = std::min(error_.find('\n', begin), error_.size());
     const std::string line = error_.substr(begin + mark.size(), end - begin - mark.size());
     if (status == static_cast<int>(Exit::failed)) {

@@ -114,8 +114,8 @@ void require_whole(const fs::path& file) {
     if (has_samples && size == no_size) size = long_size;
     if (has_samples && (size == 0 || size == no_size)) {
       refuse_file(file,
-                  "does not say how long it is, as where a recorder was switched off: "
-                  "sox --ignore-length IN OUT writes one that does");
+                  "does not declare its length, as after a recorder was switched off; repair it: "
+                  "sox --ignore-length IN OUT");
     }
     if (size > bytes.size() - at - format->head) break;
     has_passed_samples = has_passed_samples || has_samples;
@@ -124,8 +124,7 @@ void require_whole(const fs::path& file) {
     if (name == "COMM" && bytes.substr(8, 4) == "AIFF") stated = aiff_frames(content_of_chunk);
     constexpr std::uint64_t before_frames = 8;  // offset and block size of AIFF
     if (has_samples && !holds(stated, name == "SSND" ? size - before_frames : size)) {
-      refuse_file(file,
-                  "damaged: what it says of channels, bits and length does not fit its samples");
+      refuse_file(file, "damaged: its channels, bits or length contradict its samples");
     }
     constexpr std::size_t long_size_at = 8;
     if (name == "ds64" && size >= 2 * long_size_at) {
@@ -133,16 +132,18 @@ void require_whole(const fs::path& file) {
     }
     at += format->head + (size + format->alignment - 1) / format->alignment * format->alignment;
   }
-  if (!has_passed_samples) refuse_file(file, "truncated or damaged: it is shorter than it says");
+  if (!has_passed_samples) {
+    refuse_file(file, "truncated or damaged: it is shorter than it declares");
+  }
   if (at < bytes.size() && has_stated_size(content, *format)) {
-    refuse_file(file, "damaged: its samples end otherwise than it says");
+    refuse_file(file, "damaged: its samples do not end where it declares");
   }
 }
 
 std::size_t channel_in(const fs::path& file, const std::string& channel, int channels) {
   const auto number = number_in<int>(channel);
   if (!number || *number < 1 || *number > channels) {
-    refuse_file(file, fmt::format("has no channel {}; the variable is the number of one, 1 to {}",
+    refuse_file(file, fmt::format("has no channel {}; name a channel by its number, 1 to {}",
                                   channel, channels));
   }
   return static_cast<std::size_t>(*number - 1);
@@ -160,13 +161,13 @@ Signal read_sound(const fs::path& file, const std::string& channel) {
   const auto count = static_cast<std::size_t>(info.frames);
   if (info.frames == SF_COUNT_MAX) {
     refuse_file(file,
-                "does not say how long it is, as where it was streamed: flac -d FILE writes a WAV "
-                "file that does");
+                "does not declare its length, as after streaming; convert it to WAV: flac -d FILE");
   }
   if (count > limits_of(file).most_samples / channels) {
-    refuse_file(file, fmt::format("is said to have {} samples, more than a file of its size can "
-                                  "hold: it is damaged",
-                                  count));
+    refuse_file(
+        file, fmt::format(
+                  "declares {} samples, more than a file of its size can hold; the file is damaged",
+                  count));
   }
   std::vector<double> all(count * channels);
   const sf_count_t got = sf_readf_double(sound.get(), all.data(), info.frames);

@@ -31,7 +31,9 @@ class Scales {
     std::vector<Polynomial> chain;  // last scale first
     double below = count;           // a scale's source is an earlier scale
     for (double scale = count - 1; scale != raw_values;) {
-      if (!(scale >= 0 && scale < below)) refuse(where_, "is damaged: its scales refer to none");
+      if (!(scale >= 0 && scale < below)) {
+        refuse(where_, "is damaged: the source of a scale does not exist");
+      }
       below = scale;
       add(chain, scale);
     }
@@ -60,8 +62,8 @@ class Scales {
     } else if (type == "Polynomial") {
       chain.push_back(polynomial(name + "Polynomial_Coefficients"));
     } else {
-      refuse(where_, fmt::format("has a scale of the type '{}', which is not read: save its scaled "
-                                 "values, in DIAdem, LabVIEW or by npTDMS, as CSV",
+      refuse(where_, fmt::format("has a scale of the type '{}', which is not supported; save its "
+                                 "scaled values as CSV with DIAdem, LabVIEW or npTDMS",
                                  type));
     }
     scale = number(name + type + "_Input_Source").value_or(raw_values);
@@ -70,7 +72,9 @@ class Scales {
   [[nodiscard]] Polynomial polynomial(const std::string& name) const {
     constexpr double most = 100;
     const double count = number(name + "_Size").value_or(4);
-    if (!(count >= 0 && count <= most)) refuse(where_, "is damaged: its polynomial has no size");
+    if (!(count >= 0 && count <= most)) {
+      refuse(where_, "is damaged: its polynomial has an invalid size");
+    }
     Polynomial coefficients;
     for (int i = 0; i < count; ++i)
       coefficients.push_back(required(fmt::format("{}[{}]", name, i)));

@@ -151,12 +151,12 @@ class Walk {
   [[nodiscard]] LeadIn lead_in_at(std::size_t begin) const {
     const std::size_t left = bytes_.size() - begin;
     if (left < lead_in_bytes && begin > 0) {
-      refuse_segment(begin, fmt::format("ends within its first {} bytes; where the writer crashed, "
-                                        "`truncate -s {} FILE` leaves what is whole",
+      refuse_segment(begin, fmt::format("ends within its first {} bytes; if the writer crashed, "
+                                        "`truncate -s {} FILE` keeps the complete part",
                                         lead_in_bytes, begin));
     }
     if (left < lead_in_bytes || number_at(bytes_, begin, true) != 0x5444536D) {  // "TDSm"
-      refuse_segment(begin, "does not begin as one does");
+      refuse_segment(begin, "does not begin with the mark of a segment");
     }
     LeadIn lead_in{.contents = number_at(bytes_, begin + 4, false)};
     const bool big_endian = lead_in.has(toc_big_endian);
@@ -164,8 +164,8 @@ class Walk {
     const auto metadata = number_at<std::uint64_t>(bytes_, begin + 20, big_endian);
     lead_in.is_finished = size != never_finished;
     if (lead_in.is_finished && size > left - lead_in_bytes) {
-      refuse_segment(begin, fmt::format("is said to have {} bytes, and {} are there", size,
-                                        left - lead_in_bytes));
+      refuse_segment(
+          begin, fmt::format("declares {} bytes, but {} are there", size, left - lead_in_bytes));
     }
     lead_in.end = lead_in.is_finished ? begin + lead_in_bytes + size : bytes_.size();
     lead_in.has_whole_metadata = metadata <= lead_in.end - begin - lead_in_bytes;
@@ -179,8 +179,8 @@ class Walk {
 
   [[noreturn]] void refuse_daqmx() const {
     refuse_file(file_,
-                "holds raw data of NI-DAQmx, which are not read: open it in DIAdem, LabVIEW or "
-                "npTDMS and save the scaled channel as CSV");
+                "holds raw data of NI-DAQmx, which are not supported; save the scaled channel as "
+                "CSV with DIAdem, LabVIEW or npTDMS");
   }
 
   void read_metadata(std::size_t begin, const LeadIn& lead_in) {
@@ -200,7 +200,7 @@ class Walk {
     const std::uint32_t index = metadata.number();
     listed.has_values = index != no_values;
     if (index == same_as_before) {
-      if (!last_values_[object]) metadata.refuse("an object is said to be as before, and is new");
+      if (!last_values_[object]) metadata.refuse("an object refers to earlier values, but is new");
     } else if (index != no_values) {
       last_values_[object] = values_of(object, index, metadata);
     }
@@ -268,8 +268,9 @@ class Walk {
     const std::uint64_t chunk_bytes = segment.has_rows ? bytes_of_row(begin) : bytes_of_chunk();
     const bool is_whole = chunk_bytes > 0 && raw_bytes % chunk_bytes == 0;
     if (lead_in.is_finished && !is_whole) {
-      refuse_segment(begin, fmt::format("has {} bytes of values, no whole number of chunks of {}",
-                                        raw_bytes, chunk_bytes));
+      refuse_segment(begin,
+                     fmt::format("has {} bytes of values, not a whole number of chunks of {}",
+                                 raw_bytes, chunk_bytes));
     }
     if (chunk_bytes == 0) return segment;
     segment.values = values_;

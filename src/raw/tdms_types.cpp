@@ -24,7 +24,7 @@ constexpr std::array tdms_types{
     TdmsType{0x19, 4, "single with a unit", double_at<float>},
     TdmsType{0x1A, 8, "double with a unit", double_at<double>},
     TdmsType{tdms_text, 0, "text", nullptr},
-    TdmsType{0x21, 1, "truth values", nullptr},
+    TdmsType{0x21, 1, "booleans", nullptr},
     TdmsType{0x44, 16, "time stamps", nullptr},
     TdmsType{0x08000C, 8, "complex numbers", nullptr},
     TdmsType{0x10000D, 16, "complex numbers", nullptr},

@@ -108,8 +108,8 @@ std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
   }
   if (std::ranges::count_if(begin, is_in_no_text) > 2) {
     refuse_file(file,
-                "is binary, in no format that is read; export it as text, WAV or HDF5, or, where "
-                "it is samples alone: np.save('x.npy', np.fromfile(FILE, dtype='<f4'))");
+                "is binary, in an unsupported format; export it as text, WAV or HDF5, or, if it "
+                "holds only samples, convert it: np.save('x.npy', np.fromfile(FILE, dtype='<f4'))");
   }
   return std::string(text);
 }

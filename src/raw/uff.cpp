@@ -31,7 +31,7 @@ constexpr int single_real = 2;
 constexpr int double_real = 4;
 
 /// Names of the function types 0 to 12.
-constexpr std::array function_names{"a function of an unknown kind",
+constexpr std::array function_names{"a function of an unknown type",
                                     "a time response",
                                     "an auto spectrum",
                                     "a cross spectrum",
@@ -116,8 +116,8 @@ std::vector<double> text_values(const Where& where, const UffFunction& function)
     auto numbers = numbers_in_line(trimmed(line, blanks), 0);
     if (!numbers) numbers = numbers_in_line(line, width);
     if (!numbers) {
-      refuse(where, fmt::format("has a line {} that is not numbers {} columns wide: {}", number,
-                                width, csv_field_in_quotes(trimmed(line, blanks))));
+      refuse(where, fmt::format("has a line {} that does not hold numbers {} columns wide: {}",
+                                number, width, csv_field_in_quotes(trimmed(line, blanks))));
     }
     values.insert(values.end(), numbers->begin(), numbers->end());
   }

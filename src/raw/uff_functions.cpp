@@ -93,7 +93,9 @@ class UffScan {
       function.values = until_mark();
       return function;
     }
-    if (number<std::size_t>(type, 19, 12) != lines) refuse_here("its header has another length");
+    if (number<std::size_t>(type, 19, 12) != lines) {
+      refuse_here("its header does not have 11 lines");
+    }
     take_bytes(function, type);
     return function;
   }
@@ -101,14 +103,14 @@ class UffScan {
   void take_bytes(UffFunction& function, std::string_view type) {
     constexpr int big_endian = 2;
     constexpr int ieee = 2;
-    if (number<int>(type, 13, 6) != ieee) refuse_here("its numbers are not those of IEEE 754");
+    if (number<int>(type, 13, 6) != ieee) refuse_here("its numbers are not in IEEE 754 format");
     function.is_big_endian = number<int>(type, 7, 6) == big_endian;
     const auto bytes = number<std::size_t>(type, 31, 12);
-    if (bytes > rest_.size()) refuse_here("it has fewer bytes than it says");
+    if (bytes > rest_.size()) refuse_here("it has fewer bytes than it declares");
     function.values = rest_.substr(0, bytes);
     rest_.remove_prefix(bytes);
     rest_.remove_prefix(std::min(rest_.find_first_not_of("\r\n"), rest_.size()));
-    if (rest_.empty() || !is_mark(take())) refuse_here("its values end otherwise than it says");
+    if (rest_.empty() || !is_mark(take())) refuse_here("its values do not end where it declares");
   }
 
   const fs::path& file_;

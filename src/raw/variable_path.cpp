@@ -76,8 +76,7 @@ std::optional<MatrixLine> take_matrix_line(std::string& text) {
 
 std::string hint_at_parts(const std::string& name) {
   if (name.find_first_of("([{") == std::string::npos) return "";
-  return "; a row is written data(1,:), a column data(:,1), an element c{1} or s(1).x, each "
-         "counted "
+  return "; write a row as data(1,:), a column as data(:,1), an element as c{1} or s(1).x, counted "
          "from 1";
 }
 

@@ -42,8 +42,8 @@ std::vector<scoring::DecisionRates> decisions_of(const artefact::Reader& reader,
   if (tested == nullptr) return {};
   if (record.labels != tested->labels) {
     reader.refuse("/labels",
-                  "are not those of A.h5 of this seed, so it was tested on other windows; make it "
-                  "again, or take away that A.h5");
+                  "are not those of A.h5 of this seed, so other windows were tested; rerun the "
+                  "diagnosis, or remove that A.h5");
   }
   return scoring::decision_rates(record.labels, record.scores, record.info.classes.size(),
                                  tested->places);

@@ -92,7 +92,7 @@ std::string problem_of(const Wanted& file, const Error& error) {
   const std::string problem = file.name + ": " + error.what();
   const auto log = Layout::unfinished_log(file.path);
   if (error.exit() != Exit::input_missing || !log) return problem;
-  return problem + "; a step on the way to it failed or is not done, see " + log->string();
+  return problem + "; a step before it failed or is missing, see " + log->string();
 }
 
 /// Reads files of one kind in turn. Adds their problems to the results.
@@ -198,7 +198,7 @@ void require_all(const Results& results) {
   throw Error(
       results.exit,
       fmt::format("{} of the files that the tables need {} missing or refused; no table was "
-                  "written (make the cells named above, or ask for fewer)",
+                  "written (make the cells named above, or request fewer)",
                   results.problems.size(), results.problems.size() == 1 ? "is" : "are"));
 }
 

@@ -55,15 +55,13 @@ void add_cells(const std::vector<std::string>& methods, const std::vector<std::s
 
 [[noreturn]] void refuse_nothing(bool nothing_known) {
   const std::string of_all =
-      "none of these methods, ratios and classifiers go together: 'none' exists at 100to1 only, "
-      "every other method at every other ratio only, and rules are asked of 'none' alone";
-  throw Error(
-      Exit::usage,
-      nothing_known
-          ? fmt::format("{}; where no fault window is known, there are 'none' by rules, and "
-                        "methods that need none: {}",
-                        of_all, fmt::join(augment::methods_without_known(), ", "))
-          : of_all);
+      "these methods, ratios and classifiers cannot be combined: 'none' exists only at 100to1, "
+      "other methods only at other ratios, and rules only for 'none'";
+  throw Error(Exit::usage,
+              nothing_known ? fmt::format("{}; without known fault windows there are only 'none' "
+                                          "by rules and methods that need no known window: {}",
+                                          of_all, fmt::join(augment::methods_without_known(), ", "))
+                            : of_all);
 }
 
 /// Returns the baseline if it is among the methods; else an empty list.
@@ -92,8 +90,8 @@ void bind_cells(const cli::Options& command, GridOptions& options) {
 
 void bind_nothing_known(const cli::Options& command, std::vector<std::string>& nothing_known) {
   command.add("--nothing-known", nothing_known,
-              "Data sets of which no fault window is known (known-per-class = 0): their cells are "
-              "'none' by rules, and methods that need no known window");
+              "Data sets without known fault windows (known-per-class = 0): their cells are 'none' "
+              "by rules and methods that need no known window");
 }
 
 void bind_classifiers(const cli::Options& command, std::vector<std::string>& classifiers,

@@ -172,7 +172,7 @@ std::vector<std::int64_t> Held::seeds_with(
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out) {
   command.add("--leave-out", leave_out,
               "Files and folders of the dataset that are out of date, such as "
-              "seed1/smote: tables and figures are made without them");
+              "seed1/smote; tables and figures leave them out");
 }
 
 Grid held_grid(const Layout& layout, const Grid& requested, const Held& held) {

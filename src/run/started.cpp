@@ -75,7 +75,7 @@ std::vector<std::string> classifiers_started(const Layout& layout,
 }  // namespace
 
 void bind_started_cells(const cli::Options& command, GridOptions& options) {
-  const std::string held = "those that the folder holds where it is not given";
+  const std::string held = "default: those in the folder";
   command.add("--methods", options.methods, "Methods, such as: none piae-dt; " + held);
   command.add("--ratios", options.ratios, "Ratios, such as: 100to1 10to1; " + held);
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2; " + held);
@@ -107,8 +107,7 @@ Grid resolve_started(const Layout& layout, GridOptions options) {
   if (options.methods.empty() || options.ratios.empty() || options.seeds.empty()) {
     throw Error(Exit::input_missing,
                 layout.folder().string() +
-                    ": holds no cell; say which there should be, by --methods, --ratios and "
-                    "--seeds");
+                    ": holds no cell; name the cells by --methods, --ratios and --seeds");
   }
   return resolve(options);
 }

@@ -17,8 +17,8 @@ void continue_with_libtorch(char** argv) {
   const fs::path other = fs::read_symlink("/proc/self/exe").string() + "-libtorch";
   if (!fs::exists(other)) {
     throw Error(Exit::failed,
-                "this needs LibTorch, and there is no " + other.string() +
-                    ": the programs were built without LibTorch; `make build LIBTORCH=on` has it");
+                "this needs LibTorch, but there is no " + other.string() +
+                    ": the programs were built without LibTorch; run `make build LIBTORCH=on`");
   }
   execv(other.c_str(), argv);
   throw Error(Exit::failed, other.string() + ": cannot be started (" + std::strerror(errno) + ")");

@@ -67,7 +67,7 @@ void require_both_inputs(const std::filesystem::path& file, const toml::table& g
   const toml::node* kinds = group.get("kind-inputs");
   if (kinds == nullptr || require_inputs(file, group, path, "kind-inputs") == methods) return;
   refuse(file, *kinds,
-         path + ".kind-inputs must name an input of each method of inputs, and of no other");
+         path + ".kind-inputs must name an input of each method of inputs, and no other");
 }
 
 void require_against(const std::filesystem::path& file, const toml::table& group,
@@ -75,7 +75,8 @@ void require_against(const std::filesystem::path& file, const toml::table& group
   const toml::node* own = group.get("against");
   const auto method = own == nullptr ? "" : own->value_or<std::string>("");
   if (augment::find_entry(method) != nullptr) return;
-  refuse(file, own == nullptr ? group : *own, path + ".against names no method: '" + method + "'");
+  refuse(file, own == nullptr ? group : *own,
+         path + ".against must name a method, not '" + method + "'");
 }
 
 void require_group(const std::filesystem::path& file, const std::string& path,
@@ -103,7 +104,7 @@ void require_groups(const std::filesystem::path& file, const toml::table& protoc
   for (const auto& [key, node] : *groups) {
     const std::string name(key.str());
     const std::string path = "transfer." + name;
-    if (!node.is_table()) refuse(file, node, path + " stands in no group of data sets");
+    if (!node.is_table()) refuse(file, node, path + " is not in a group of data sets");
     if (!signal::ranges::is_plain_name(name)) {
       refuse(file, node, fmt::format("the name of [{}] {}", path, signal::ranges::plain_name_rule));
     }
@@ -135,7 +136,7 @@ void require_datasets(const toml::table& protocol, const std::string& group,
     if (std::filesystem::exists(description)) continue;
     refuse(pipeline / "protocol.toml", node,
            holds("transfer." + group + ".datasets", name,
-                 ", and there is no " + description.string()));
+                 ", but there is no " + description.string()));
   }
 }
 

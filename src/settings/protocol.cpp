@@ -27,7 +27,7 @@ std::string nothing_reads(const std::string& path, const std::string& name,
                           const std::vector<std::string>& known) {
   std::string text = "nothing reads the table [" + path + name + "]";
   if (known.empty()) return text;
-  return fmt::format("{}; there are {}{}", text, path, fmt::join(known, ", "));
+  return fmt::format("{}; known tables are {}{}", text, path, fmt::join(known, ", "));
 }
 
 /// Refuses tables in `parent` that are not among `known`. `path` is the beginning of their names.
@@ -77,7 +77,7 @@ toml::table read_protocol(const std::filesystem::path& file) {
   toml::table protocol = cli::parse_toml_file(file);
   for (const auto& [key, node] : protocol) {
     if (!node.is_table() && !node.is_array_of_tables()) {
-      refuse(file, node, std::string(key.str()) + " stands in no table, so that no stage reads it");
+      refuse(file, node, std::string(key.str()) + " is not in a table, so no stage reads it");
     }
   }
   require_known_tables(file, protocol, "", stages);

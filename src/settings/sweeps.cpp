@@ -51,7 +51,7 @@ void require_options(const std::filesystem::path& file, const toml::array& point
     const auto bind = [&](const cli::Options& options) { made->bind(options); };
     const std::string refusal = cli::refusal_of(bind, point.factor, point.value);
     if (!refusal.empty()) {
-      refuse(file, node, holds(list, word, fmt::format(", but of {} {}", method, refusal)));
+      refuse(file, node, holds(list, word, fmt::format(", which {} refuses: {}", method, refusal)));
     }
   }
 }

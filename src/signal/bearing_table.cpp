@@ -94,8 +94,8 @@ std::vector<Row> rows_of(const fs::path& table) {
   if (!fs::exists(table)) {
     throw Error(Exit::input_missing,
                 table.string() +
-                    ": there is no table of bearings; a description with a "
-                    "designation stands in a folder next to it, as pipeline/datasets does");
+                    ": no such file, but bearing.designation needs it; copy pipeline/bearings.csv "
+                    "to it, or replace designation by dimensions");
   }
   const std::vector<text::CsvLine> lines = text::read_csv(table);
   if (lines.front().fields != header)
@@ -164,14 +164,14 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
     const std::string like = designations_of(rows_like(words, rows));
     throw Error(Exit::bad_input,
                 "'" + designation + "' has no row in " + table.string() +
-                    (like.empty() ? "" : "; it has " + like) +
+                    (like.empty() ? "" : "; similar are " + like) +
                     "; give balls, ball_diameter_mm, pitch_diameter_mm and contact_angle_deg, or "
                     "bpfo and bpfi, from a data sheet");
   }
   for (const Row& row : found) {
     if (have_the_same_lines(row, found.front())) continue;
-    throw Error(Exit::bad_input, "'" + designation + "' may be one of " + designations_of(found) +
-                                     ", whose fault lines differ: name one of them");
+    throw Error(Exit::bad_input, "'" + designation + "' may mean " + designations_of(found) +
+                                     ", whose fault lines differ; name one of them");
   }
   return found.front().keys;
 }

@@ -22,7 +22,7 @@ constexpr Use uses[] = {
 std::vector<std::string> read_names(const artefact::Reader& reader) {
   const std::string path = conditions_group + "/name";
   std::vector<std::string> names = reader.strings(path);
-  if (names.empty()) reader.refuse(path, "names none");
+  if (names.empty()) reader.refuse(path, "is empty");
   std::set<std::string> seen;
   for (const std::string& name : names) {
     if (!is_condition_name(name)) reader.refuse(path, "holds a name that " + condition_name_rule);
@@ -35,10 +35,10 @@ void read_use(const artefact::Reader& reader, const Use& use, std::vector<Condit
   const std::string path = conditions_group + "/" + use.name;
   const auto flags = reader.numbers<std::int32_t>(path, {conditions.size()}).values;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    if (flags[i] != 0 && flags[i] != 1) reader.refuse(path, "holds something else than 0 and 1");
+    if (flags[i] != 0 && flags[i] != 1) reader.refuse(path, "holds a value other than 0 and 1");
     conditions[i].*use.flag = flags[i] == 1;
   }
-  if (std::ranges::none_of(conditions, use.flag)) reader.refuse(path, "names no condition");
+  if (std::ranges::none_of(conditions, use.flag)) reader.refuse(path, "is 0 for all conditions");
 }
 
 }  // namespace

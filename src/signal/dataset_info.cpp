@@ -53,7 +53,7 @@ Defect read_defect(const artefact::Reader& reader, const std::string& word) {
     return parse_defect(word);
   } catch (const Error&) {
     reader.refuse("/classes/defect",
-                  "holds a word that is none of none, outer, inner, roller and other");
+                  "holds a word other than none, outer, inner, roller and other");
   }
 }
 
@@ -67,7 +67,7 @@ std::vector<ClassInfo> read_classes(const artefact::Reader& reader) {
   const std::string sizes_path = "/classes/defect_size_mm";
   const std::vector<double> sizes = reader.numbers<double>(sizes_path, {names.size()}).values;
   if (defects.size() != names.size()) {
-    reader.refuse("/classes/defect", "does not fit /classes/name");
+    reader.refuse("/classes/defect", "does not match /classes/name");
   }
   require_class_names(reader, names);
   reader.require_all(sizes_path, sizes, ranges::defect_size_mm);
@@ -85,13 +85,13 @@ void refuse_impossible(const artefact::Reader& reader, const DatasetInfo& info) 
     if (info.has_bearing) bearing::validate(info.bearing);
     for (const ClassInfo& c : info.classes) {
       if (bearing::causes_impacts(c.defect) && !info.has_bearing) {
-        throw Error(Exit::bad_input, "class " + c.name + " is of a bearing that is not described");
+        throw Error(Exit::bad_input, "class " + c.name + " needs a bearing, but none is described");
       }
       const bool is_of_unknown_size = bearing::causes_impacts(c.defect) && c.defect_size_mm == 0;
       if (!is_of_unknown_size) bearing::validate(info.bearing, {c.defect, c.defect_size_mm});
     }
   } catch (const Error& error) {
-    reader.refuse("/bearing or /classes", std::string("cannot be: ") + error.what());
+    reader.refuse("/bearing or /classes", std::string("are invalid: ") + error.what());
   }
 }
 
@@ -120,7 +120,7 @@ Defect parse_defect(const std::string& word) {
     if (word == defect_words[i]) return static_cast<Defect>(i);
   }
   throw Error(Exit::bad_input,
-              "unknown defect '" + word + "'; known are none, outer, inner, roller and other");
+              "unknown defect '" + word + "'; known defects: none, outer, inner, roller, other");
 }
 
 std::vector<Label> DatasetInfo::labels() const {
@@ -141,10 +141,11 @@ Label DatasetInfo::healthy_label() const {
   if (healthy.size() > 1) {
     throw Error(Exit::bad_input, "dataset " + name + ": both " + class_of(healthy[0]).name +
                                      " and " + class_of(healthy[1]).name +
-                                     " have defect 'none'; one class may");
+                                     " have defect 'none'; only one class may have it");
   }
   if (healthy.empty()) {
-    throw Error(Exit::bad_input, "dataset " + name + ": no class has defect 'none'; one must");
+    throw Error(Exit::bad_input,
+                "dataset " + name + ": no class has defect 'none'; one class must have it");
   }
   return healthy.front();
 }

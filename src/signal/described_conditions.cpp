@@ -36,7 +36,8 @@ void require_named(const TomlTable& transfer, const std::string& key, const Name
                    const Names& named) {
   for (const std::string& name : list) {
     if (!has(named, name)) {
-      transfer.refuse(key, "names '" + name + "', which is the condition of no record; there are " +
+      transfer.refuse(key, "names '" + name +
+                               "', which is not the condition of any record; records have " +
                                comma_separated(named));
     }
     if (std::ranges::count(list, name) > 1) transfer.refuse(key, "names '" + name + "' twice");
@@ -48,7 +49,8 @@ void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
   Names named;
   for (const Condition& condition : conditions) named.push_back(condition.name);
   if (named.empty()) {
-    transfer.refuse("known", "cannot be: no record names a condition");
+    transfer.refuse("known",
+                    "names conditions, but no record has one; add condition to each [[record]]");
   }
   const Names known = transfer.texts("known");
   const Names test = transfer.texts("test");
@@ -59,8 +61,7 @@ void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
   require_named(transfer, "healthy", healthy, named);
   for (const std::string& name : test) {
     if (!has(known, name)) continue;
-    transfer.refuse("test", "names '" + name +
-                                "', which is known, too: what is tested must be another condition");
+    transfer.refuse("test", "names '" + name + "', which is in known, too; name another condition");
   }
   for (Condition& condition : conditions) {
     condition.known = has(known, condition.name);
@@ -91,9 +92,9 @@ void require_a_condition_of_faults(const TomlTable& transfer, const DatasetInfo&
                                    const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.label == info.healthy_label() || !record.condition.empty()) continue;
-    transfer.refuse("known", "leaves class " + info.class_of(record.label).name +
-                                 " a record without a condition, which would be known and tested "
-                                 "alike; say which condition it is of");
+    transfer.refuse("known", "needs a condition for each fault record, but class " +
+                                 info.class_of(record.label).name +
+                                 " has a record without one; add condition to that [[record]]");
   }
 }
 
@@ -129,12 +130,11 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
     if (there) continue;
     const std::string no_record = "there is no record of class " + info.class_of(healthy).name;
     if (condition.test) {
-      transfer.refuse("test", "names '" + condition.name + "', of which " + no_record +
-                                  ": a healthy machine can always be recorded");
+      transfer.refuse("test", "names '" + condition.name + "', but " + no_record +
+                                  " in it; record the healthy machine in it");
     }
-    transfer.refuse("healthy",
-                    "is known and test together where it does not say otherwise, but of '" +
-                        condition.name + "' " + no_record + "; name conditions that have one");
+    transfer.refuse("healthy", "is known and test together by default, but for '" + condition.name +
+                                   "' " + no_record + "; name conditions that have one");
   }
 }
 
@@ -151,8 +151,8 @@ void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
     }
     const auto [least, largest] = std::ranges::minmax(speeds_rpm);
     if (largest > largest_speed_ratio * least) {
-      root.refuse("record", fmt::format("has condition '{}' at {:g} and at {:g} rpm; a condition "
-                                        "has one speed, to 2 %",
+      root.refuse("record", fmt::format("has condition '{}' at {:g} and at {:g} rpm; the speeds of "
+                                        "a condition may differ by 2 %",
                                         condition.name, least, largest));
     }
     condition.shaft_speed_rpm = std::accumulate(speeds_rpm.begin(), speeds_rpm.end(), 0.0) /

@@ -22,8 +22,8 @@ SplitSettings read_described_split(TomlTable& root) {
     const std::int64_t value = table->integer(name, setting->range);
     if (name == known_per_class && value == 0 && root.has("transfer")) {
       table->refuse(name,
-                    "is 0, so no fault is known in any condition, but [transfer] says in which "
-                    "they are; leave one of the two out");
+                    "is 0, so no fault is known in any condition, but [transfer] names conditions "
+                    "with known faults; remove one of the two");
     }
     settings.emplace(name, static_cast<std::size_t>(value));
   }
@@ -40,8 +40,7 @@ void require_sensible_split(const Description& description, const std::filesyste
   try {
     require_sensible(split_options_of(description));
   } catch (const Error& error) {
-    throw Error(Exit::bad_input,
-                file.string() + ": " + error.what() + "; set those in its [split]");
+    throw Error(Exit::bad_input, file.string() + ": " + error.what() + "; change [split] in it");
   }
 }
 

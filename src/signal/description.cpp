@@ -43,11 +43,12 @@ void require_orders(const TomlTable& table, const bearing::Orders& orders, doubl
   const bool is_usual =
       balls >= 3 && balls <= most_balls && std::abs(sum / shaft_hz - balls) <= tolerance * balls;
   if (sum <= most_balls || !is_usual || (orders.ftf && *orders.ftf < 0.5)) return;
-  table.refuse("bpfo", fmt::format("= {:g} and bpfi = {:g} seem to be Hz; orders are multiples of "
-                                   "the shaft's frequency, {:.5g} Hz: write {:.4g} and {:.4g}, or "
-                                   "give ftf where they are orders",
-                                   orders.bpfo, orders.bpfi, shaft_hz, orders.bpfo / shaft_hz,
-                                   orders.bpfi / shaft_hz));
+  table.refuse(
+      "bpfo",
+      fmt::format("= {:g} and bpfi = {:g} seem to be in Hz, not in multiples of the shaft "
+                  "frequency, {:.5g} Hz; write {:.4g} and {:.4g}, or add ftf if they are multiples",
+                  orders.bpfo, orders.bpfi, shaft_hz, orders.bpfo / shaft_hz,
+                  orders.bpfi / shaft_hz));
 }
 
 bearing::Geometry bearing_by_orders(TomlTable& table, double shaft_hz) {
@@ -92,7 +93,7 @@ Defect described_defect(TomlTable& table) {
   } catch (const Error& error) {
     const std::string meant = meant_defect(word);
     table.refuse("defect", std::string("holds an ") + error.what() +
-                               (meant.empty() ? "" : "; '" + meant + "' is meant"));
+                               (meant.empty() ? "" : "; write '" + meant + "'"));
   }
 }
 
@@ -100,9 +101,8 @@ Defect described_defect(TomlTable& table) {
 void refuse_size_without_dimensions(const TomlTable& root, const TomlTable& table) {
   const bool has_dimensions = !root.plain()["bearing"]["bpfo"];
   if (has_dimensions || !table.has("defect_size_mm")) return;
-  table.refuse(
-      "defect_size_mm",
-      "needs a bearing with dimensions, and [bearing] gives its orders alone: leave it out");
+  table.refuse("defect_size_mm",
+               "needs a bearing with dimensions, but [bearing] gives only its orders; remove it");
 }
 
 /// Reads the defect size of a class or of one of its records.
@@ -110,7 +110,7 @@ std::optional<double> read_size(TomlTable& table, Defect defect) {
   const auto size = table.optional_number("defect_size_mm", ranges::defect_size_mm);
   if (size && !bearing::causes_impacts(defect)) {
     table.refuse("defect_size_mm",
-                 "makes no sense where the defect is '" + to_string(defect) + "'");
+                 "is not possible if the defect is '" + to_string(defect) + "'; remove it");
   }
   return size;
 }
@@ -171,7 +171,7 @@ std::string read_variable(TomlTable& record) {
 std::string read_url(TomlTable& record, const std::vector<std::string>& files) {
   std::string url = record.optional_text("url");
   if (!url.empty() && (files.size() > 1 || is_pattern(files.front()))) {
-    record.refuse("url", "is of one file, and this record has several");
+    record.refuse("url", "is the address of one file, but this record has several; remove it");
   }
   const bool of_the_web = url.starts_with("https://") || url.starts_with("http://");
   const bool one_word = url.find(' ') == std::string::npos;
@@ -251,7 +251,8 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
     if (sizes.empty()) continue;  // unknown size
     if (sizes.size() < known) {
       classes[index_of(label)].refuse("defect_size_mm",
-                                      "is missing: only some of its records have one of their own");
+                                      "is missing: only some of its records have one; give it for "
+                                      "the class or for all its records");
     }
     const double sum = std::accumulate(sizes.begin(), sizes.end(), 0.0);
     info.classes[index_of(label)].defect_size_mm = sum / static_cast<double>(sizes.size());
@@ -269,17 +270,18 @@ void require_described_records(const fs::path& file, const Description& descript
 void require_different_names(const fs::path& file, const std::vector<RecordSource>& records) {
   const auto twice = std::ranges::adjacent_find(records, {}, &RecordSource::name);
   if (twice == records.end()) return;
-  throw Error(Exit::bad_input, file.string() + ": two records would be called " + twice->name +
-                                   "; rename the class that ends like a number");
+  throw Error(Exit::bad_input, file.string() + ": two records would have the name " + twice->name +
+                                   "; rename the class that ends in a number");
 }
 
 /// Returns the records' sample rate for a dataset without its own. All records must have the same.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.sample_rate_hz != records.front().sample_rate_hz) {
-      root.refuse("sample_rate_hz", "is missing, and the records " + records.front().file_text() +
-                                        " and " + record.file_text() +
-                                        " have different rates: say to which all are resampled");
+      root.refuse("sample_rate_hz",
+                  "is missing, and the records " + records.front().file_text() + " and " +
+                      record.file_text() +
+                      " have different rates; give the rate to which all are resampled");
     }
   }
   return records.front().sample_rate_hz;
@@ -301,8 +303,8 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
     const bool causes_impacts = bearing::causes_impacts(c.defect);
     if (causes_impacts && !info.has_bearing) {
       root.refuse("bearing",
-                  "is missing: it decides the rhythm of class " + c.name +
-                      "; a fault that is in no raceway and no ball has defect = \"other\"");
+                  "is missing: it determines the impact rate of class " + c.name +
+                      "; for a fault outside raceways and balls write defect = \"other\"");
     }
     refuse_size_without_dimensions(root, classes[i]);
     const bool is_of_unknown_size =
@@ -315,18 +317,19 @@ void require_simulable(const DatasetInfo& info, const std::vector<TomlTable>& cl
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const ClassInfo& c = info.classes[i];
     if (c.defect == Defect::other) {
-      classes[i].refuse("defect", "is 'other', of which nothing is known that could be simulated");
+      classes[i].refuse("defect",
+                        "is 'other', which cannot be simulated; write outer, inner or roller");
     }
     if (c.defect != Defect::none && c.defect_size_mm == 0) {
-      classes[i].refuse("defect_size_mm", "is missing, and the simulation needs it");
+      classes[i].refuse("defect_size_mm", "is missing, but the simulation needs it");
     }
   }
 }
 
 DatasetInfo read_info(TomlTable& root, std::vector<TomlTable>& classes) {
   if (!ranges::classes.holds(static_cast<double>(classes.size()))) {
-    root.refuse("class", "is there " + std::to_string(classes.size()) + " times, which " +
-                             ranges::classes.rule());
+    root.refuse("class", "is given " + std::to_string(classes.size()) +
+                             " times; the number of classes " + ranges::classes.rule());
   }
   DatasetInfo info;
   info.name = plain_name(root, "name");
@@ -371,7 +374,8 @@ Description read_description(const fs::path& file) {
   root.finish();
   description.info.sample_rate_hz = rate ? *rate : common_rate(root, description.records);
   if (!ranges::sample_rate_hz.holds(description.info.sample_rate_hz)) {
-    root.refuse("sample_rate_hz", "is that of the records, and " + ranges::sample_rate_hz.rule());
+    root.refuse("sample_rate_hz",
+                "is taken from the records, but " + ranges::sample_rate_hz.rule());
   }
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);

@@ -36,8 +36,9 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
             ranges::plain_name_rule);
   }
   if (!description.contains("name")) {
-    refuse_node(file, *like,
-                "like is there, but no name: a description that is like another has its own");
+    refuse_node(
+        file, *like,
+        "like is there, but name is missing; add a name that differs from the other description");
   }
   const fs::path model = file.parent_path() / (*name + ".toml");
   std::error_code unreadable;
@@ -69,8 +70,8 @@ toml::table read_after(const std::vector<fs::path>& before, const fs::path& file
   so_far.push_back(file);
   if (std::ranges::find(so_far, *model) != so_far.end()) {
     refuse_node(file, *description.get("like"),
-                "like goes in a circle: this description is like " + model->string() +
-                    ", which is like this one");
+                "like forms a cycle: this description is like " + model->string() +
+                    ", which is like this one; remove like from one of them");
   }
   description.erase("like");
   toml::table rest = read_after(so_far, *model);

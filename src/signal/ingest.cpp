@@ -32,8 +32,8 @@ void require_file(const fs::path& file, const RecordSource& source, const std::s
   throw Error(Exit::input_missing,
               file.string() + ": " + (is_there ? "is not a file" : none) + "; record " +
                   source.name + " of dataset " + dataset +
-                  " needs it: run `make data`, or name the folder that holds " +
-                  source.file_text() + " by DATA_DIR= (--data-dir)");
+                  " needs it; run `make data`, or give the folder that holds " +
+                  source.file_text() + " as DATA_DIR= (--data-dir)");
 }
 
 void require_expected_sha256(const fs::path& file, const RecordSource& source,
@@ -42,7 +42,7 @@ void require_expected_sha256(const fs::path& file, const RecordSource& source,
   if (source.sha256.empty() || source.sha256 == found) return;
   refuse_record(file, source,
                 "sha256 is " + found + ", expected " + source.sha256 +
-                    "; the file is damaged or another one, fetch it again");
+                    "; the file is damaged or another version, download it again");
 }
 
 void require_finite(const fs::path& file, const RecordSource& source,
@@ -78,10 +78,10 @@ void RecordReader::require_new(const RecordSource& source, std::span<const doubl
   const auto [place, is_new] = read_before_.emplace(digest, source);
   if (is_new) return;
   const RecordSource& twin = place->second;
-  refuse_record(
-      data_dir_ / source.file_text(), source,
-      "holds the same samples as record " + twin.name + " (" + twin.file_text() +
-          (twin.label == source.label ? "); name each recording once" : "), under another class"));
+  refuse_record(data_dir_ / source.file_text(), source,
+                "holds the same samples as record " + twin.name + " (" + twin.file_text() +
+                    (twin.label == source.label ? "); name each recording once"
+                                                : "), but has another class; correct one of them"));
 }
 
 RawRecord RecordReader::read_raw(const RecordSource& source) {
@@ -105,7 +105,10 @@ RawRecord RecordReader::read_raw(const RecordSource& source) {
   raw.samples = std::move(signals.samples);
   raw.pieces = std::move(signals.pieces);
   const auto [low, high] = std::ranges::minmax(raw.samples);
-  if (low == high) refuse_record(all, source, source.variable + " never changes: a dead channel");
+  if (low == high) {
+    refuse_record(all, source,
+                  source.variable + " never changes: the channel is dead; name another variable");
+  }
   require_new(source, raw.samples);
   return raw;
 }
@@ -118,7 +121,7 @@ Record RecordReader::resampled(const RecordSource& source, RawRecord raw) const 
   if (samples > most_samples) {
     refuse_record(
         all, source,
-        "would have more than 1e8 samples at the dataset's rate; look at both sample rates");
+        "would have more than 1e8 samples at the dataset's rate; check both sample rates");
   }
   Record record{.name = source.name,
                 .label = source.label,

@@ -56,18 +56,18 @@ void bind(const cli::Options& command, MachineOptions& options) {
   constexpr Range duration_s{.low = 0.1, .high = 1e8, .unit = " s"};
   constexpr Range appears_at_s{.low = 0, .high = 1e8, .unit = " s"};
   constexpr Range drift_s{.low = 10, .high = 1e12, .unit = " s"};
-  command.add("--duration-s", options.duration_s, "how long it runs")
+  command.add("--duration-s", options.duration_s, "length of the stream, s")
       .check(cli::within(duration_s));
   command
       .add("--appears-at-s", options.appears_at_s,
-           "when the defect appears; until then the bearing is healthy")
+           "time at which the defect appears, s; the bearing is healthy before")
       .check(cli::within(appears_at_s));
   command
       .add("--drift-s", options.drift_s,
-           "time within which its stiffness, damping, speed and slip change by as much as from "
-           "record to record of the data set (their correlation falls to 1/e)")
+           "time constant of stiffness, damping, speed and slip, s: their correlation falls to "
+           "1/e; they spread as between records of the data set")
       .check(cli::within(drift_s));
-  command.add("--seed", options.seed, "another seed, another machine")
+  command.add("--seed", options.seed, "number of the machine; each seed makes another one")
       .check(cli::within(ranges::seed));
 }
 

@@ -149,18 +149,18 @@ bool is_near(std::string_view given, std::string_view key) {
 std::string meant_key(const std::string& given, const std::set<std::string>& known) {
   const std::string name = lower(given);
   for (const std::string& key : known) {
-    if (split_key(key).stem == name) return key + " is meant";
+    if (split_key(key).stem == name) return "write " + key;
     if (const auto factor = factor_between(name, key)) {
-      return fmt::format("{} is meant, {:g} times as much", key, *factor);
+      return fmt::format("write {}, {:g} times the value", key, *factor);
     }
   }
   const auto* const synonym = std::ranges::find(synonyms, name, &Synonym::given);
   if (synonym != synonyms.end() && known.contains(std::string(synonym->key))) {
-    return std::string(synonym->key) + " is meant";
+    return "write " + std::string(synonym->key);
   }
   const auto near =
       std::ranges::find_if(known, [&](const std::string& key) { return is_near(name, key); });
-  return near == known.end() ? "" : *near + " is meant";
+  return near == known.end() ? "" : "write " + *near;
 }
 
 std::string meant_defect(const std::string& given) {

@@ -22,7 +22,7 @@ Protocol read_protocol(const artefact::Reader& reader) {
   for (const auto& [word, protocol] : protocol_words()) {
     if (text == word) return protocol;
   }
-  reader.refuse("/, attribute protocol", "is '" + text + "'; known are random and blocked");
+  reader.refuse("/, attribute protocol", "is '" + text + "'; it must be random or blocked");
 }
 
 }  // namespace piae::signal

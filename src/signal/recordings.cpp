@@ -46,12 +46,12 @@ std::vector<std::size_t> read_pieces(const artefact::Reader& reader, const std::
   std::size_t left = samples;
   for (const std::int64_t length : reader.numbers<std::int64_t>(path, {0}).values) {
     if (length < 1 || static_cast<std::size_t>(length) > left) {
-      reader.refuse(path, "holds lengths of pieces that are not those of the record");
+      reader.refuse(path, "holds lengths of pieces that do not add up to the record");
     }
     pieces.push_back(static_cast<std::size_t>(length));
     left -= pieces.back();
   }
-  if (left != 0) reader.refuse(path, "holds lengths of pieces that are not those of the record");
+  if (left != 0) reader.refuse(path, "holds lengths of pieces that do not add up to the record");
   return pieces;
 }
 
@@ -59,7 +59,7 @@ std::int32_t read_condition(const artefact::Reader& reader, const std::string& p
                             const DatasetInfo& info) {
   if (!reader.has_attribute(path, "condition")) return every_condition;
   const std::int32_t condition = info.condition_called(reader.text(path, "condition"));
-  if (condition == every_condition) reader.refuse(path, "is of a condition that is not listed");
+  if (condition == every_condition) reader.refuse(path, "has a condition that is not listed");
   return condition;
 }
 
@@ -70,7 +70,8 @@ Record read_record(const artefact::Reader& reader, const std::string& name,
   Record record;
   record.name = name;
   if (!ranges::is_plain_name(name)) {
-    reader.refuse(records_group, "has a record whose name is none: it " + ranges::plain_name_rule);
+    reader.refuse(records_group,
+                  "has a record with an invalid name: it " + ranges::plain_name_rule);
   }
   record.signal = reader.numbers<double>(path, {0}).values;
   if (record.signal.empty()) reader.refuse(path, "holds no sample");

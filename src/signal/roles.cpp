@@ -34,7 +34,7 @@ void note_differences(const RoleSet& one, const RoleSet& other,
   const auto differ = [&](const std::string& what, const std::string& a, const std::string& b) {
     if (a == b) return;
     findings.push_back(other.file + ": has " + what + " " + b + ", but " + one.file + " has " + a +
-                       "; they are not of one split");
+                       "; they do not belong to one split");
   };
   differ("protocol", to_string(one.protocol), to_string(other.protocol));
   differ("seed", std::to_string(one.seed), std::to_string(other.seed));
@@ -42,7 +42,7 @@ void note_differences(const RoleSet& one, const RoleSet& other,
   differ("window length", std::to_string(one.windows.length), std::to_string(other.windows.length));
   if (one.windows.info.conditions != other.windows.info.conditions) {
     findings.push_back(other.file + ": has other conditions than " + one.file +
-                       "; they are not of one split");
+                       "; they do not belong to one split");
   }
 }
 
@@ -121,7 +121,7 @@ Role read_role(const artefact::Reader& reader) {
   for (std::size_t i = 0; i < role_letters.size(); ++i) {
     if (text == role_letters[i]) return static_cast<Role>(i);
   }
-  reader.refuse("/", "has role " + text + "; known are A, B, C, D and E");
+  reader.refuse("/", "has role " + text + "; it must be A, B, C, D or E");
 }
 
 std::string read_method(const artefact::Reader& reader) {
@@ -135,7 +135,7 @@ std::string read_method(const artefact::Reader& reader) {
 void require_role(const artefact::Reader& reader, Role role) {
   const Role holds = read_role(reader);
   if (holds == role) return;
-  reader.refuse("/", "has role " + to_string(holds) + ", needed is " + to_string(role));
+  reader.refuse("/", "has role " + to_string(holds) + ", but must have role " + to_string(role));
 }
 
 void write(artefact::Writer& writer, const Origin& origin) {
@@ -166,9 +166,9 @@ void require_same_split(const artefact::Reader& generated, const artefact::Reade
       origin.records_digest == hidden.text("/", "records_digest")) {
     return;
   }
-  generated.refuse("/", "was learned from the C of another split (seed " +
+  generated.refuse("/", "was learned from C of another split (seed " +
                             std::to_string(origin.split_seed) + ", " + to_string(origin.protocol) +
-                            ") than that of " + hidden.path().string() +
+                            ") than " + hidden.path().string() +
                             "; train and generate with this split's C");
 }
 
@@ -204,7 +204,7 @@ RoleSet read_role_set(const artefact::Reader& reader) {
   set.records_digest = reader.text("/", "records_digest");
   set.windows = read_window_set(reader);
   if (set.windows.record.size() != set.windows.size()) {
-    reader.refuse("/record", "is missing: the windows do not say where they were cut");
+    reader.refuse("/record", "is missing: the places of the windows in the records are unknown");
   }
   return set;
 }

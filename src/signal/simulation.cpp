@@ -33,7 +33,7 @@ bearing::DynamicsOptions read_dynamics(TomlTable& table, const bearing::Variatio
   const double lift = bearing::largest_lift_n(dynamics, variation);
   if (dynamics.load_n <= lift) {
     table.refuse("load_n", fmt::format("must exceed {:.6g} N, the largest stiffness times the "
-                                       "clearance: below, no ball is ever touched",
+                                       "clearance; otherwise no ball is in contact",
                                        lift));
   }
   return dynamics;
@@ -58,7 +58,7 @@ void read_table(TomlTable& table, Simulation& simulation) {
   simulation.snr_db = table.optional_number("snr_db", ranges::snr_db);
   const bool faulty = simulation.info.classes.size() > 1;
   if (simulation.snr_db && !faulty) {
-    table.refuse("snr_db", "needs a faulty [[class]]: the noise is measured by it");
+    table.refuse("snr_db", "needs a faulty [[class]], whose level sets the noise");
   }
 }
 
@@ -199,7 +199,7 @@ void add_noise(const Simulation& simulation, Recordings& recordings) {
 Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable root(file);
   if (!root.has("simulation")) {
-    root.refuse("simulation", "is missing: this dataset is not simulated, use ingest");
+    root.refuse("simulation", "is missing: this dataset is not simulated; run ingest instead");
   }
   Simulation simulation;
   std::vector<TomlTable> classes = root.tables("class");

@@ -33,11 +33,11 @@ constexpr std::int64_t most_of_a_setting = 1000000000;
 constexpr Setting settings[] = {
     {"window", &SplitOptions::window, "Samples in a window"},
     {"max-stride", &SplitOptions::max_stride,
-     "Samples between two windows at most; less where the windows need it"},
-    {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut of each class"},
+     "Largest distance between window starts, samples; smaller if the windows need it"},
+    {"windows-per-class", &SplitOptions::windows_per_class, "Windows cut from each class"},
     {"test-per-class", &SplitOptions::test_per_class, "Windows of each class in A (test)"},
     {known_per_class, &SplitOptions::known_per_class,
-     "Windows of each fault class in C (known); 0 where no fault is known", 0},
+     "Windows of each fault class in C (known); 0 if no fault is known", 0},
     {"guard-windows", &SplitOptions::guard_windows,
      "Window lengths left unused between two roles (blocked only)"},
 };
@@ -114,10 +114,9 @@ void cut(WindowSet& set, const Recordings& recordings, const Place& place) {
                  std::back_inserter(set.samples), [](double x) { return static_cast<float>(x); });
   if (is_constant(std::span(set.samples).last(set.length))) {
     throw Error(Exit::bad_input, "record " + record.name + " of " + set.info.name +
-                                     ": nothing moves in the window "
-                                     "from sample " +
+                                     ": the signal is constant in the window from sample " +
                                      std::to_string(place.first_sample) +
-                                     " on; leave that part of the recording out");
+                                     "; remove that part of the recording");
   }
   set.labels.push_back(record.label);
   set.record.push_back(static_cast<std::int32_t>(place.record));
@@ -185,11 +184,11 @@ void split_class(const Recordings& recordings, Label label, const SplitOptions& 
 }  // namespace
 
 void bind(const cli::Options& command, SplitOptions& options) {
-  command.add("--seed", options.seed, "The repeat: each seed has its own split")
+  command.add("--seed", options.seed, "Number of the repeat; each seed has its own split")
       .required()
       .check(cli::whole_number(0, most_of_a_setting));
   command.choose("--protocol", options.protocol, protocol_words(),
-                 "random: the paper's; blocked: contiguous blocks with a guard gap");
+                 "random, as in the paper; or blocked: contiguous blocks with a guard gap");
   for (const Setting& setting : settings) {
     command.add(std::string("--") + setting.name, options.*setting.value, setting.help)
         .check(cli::whole_number(setting.least, most_of_a_setting));

@@ -30,7 +30,7 @@ std::string TomlTable::given_for(const std::string& missing) const {
     const std::string given(key.str());
     if (known_keys_.contains(given)) continue;
     const std::string meant = meant_key(given, {missing});
-    if (!meant.empty()) return fmt::format("; {} stands there: {}", given, meant);
+    if (!meant.empty()) return fmt::format("; instead of {}, {}", given, meant);
   }
   return {};
 }

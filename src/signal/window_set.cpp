@@ -42,9 +42,11 @@ void read_places(const artefact::Reader& reader, WindowSet& windows) {
   windows.record_names = reader.strings("/record/name");
   windows.record = reader.numbers<std::int32_t>("/record/index", {0}).values;
   windows.first_sample = reader.numbers<std::int64_t>("/first_sample", {0}).values;
-  if (windows.record.size() != windows.size()) reader.refuse("/record/index", "misfits /labels");
+  if (windows.record.size() != windows.size()) {
+    reader.refuse("/record/index", "does not match /labels");
+  }
   if (windows.first_sample.size() != windows.size()) {
-    reader.refuse("/first_sample", "misfits /labels");
+    reader.refuse("/first_sample", "does not match /labels");
   }
   const auto known = static_cast<std::int32_t>(windows.record_names.size());
   for (const std::int32_t index : windows.record) {
@@ -56,18 +58,18 @@ void read_places(const artefact::Reader& reader, WindowSet& windows) {
   reader.require_all("/first_sample", windows.first_sample, ranges::first_sample);
   for (const std::string& name : windows.record_names) {
     if (!ranges::is_plain_name(name)) {
-      reader.refuse("/record/name", "holds what is no name: it " + ranges::plain_name_rule);
+      reader.refuse("/record/name", "holds an invalid name: it " + ranges::plain_name_rule);
     }
   }
 }
 
 void read_parameters(const artefact::Reader& reader, WindowSet& windows) {
   const auto pairs = reader.numbers<double>("/parameters", {0, 2});
-  if (pairs.shape[0] != windows.size()) reader.refuse("/parameters", "misfits /labels");
+  if (pairs.shape[0] != windows.size()) reader.refuse("/parameters", "does not match /labels");
   for (std::size_t i = 0; i < windows.size(); ++i) {
     if (!ranges::stiffness_n_per_m.holds(pairs.values[2 * i]) ||
         !ranges::damping_ns_per_m.holds(pairs.values[2 * i + 1])) {
-      reader.refuse("/parameters", "holds a stiffness or a damping that cannot be");
+      reader.refuse("/parameters", "holds a stiffness or a damping outside its range");
     }
     windows.parameters.push_back({pairs.values[2 * i], pairs.values[2 * i + 1]});
   }
@@ -131,7 +133,7 @@ std::vector<std::vector<T>> read_lists(const artefact::Reader& reader, const Lis
   std::int64_t last = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (owners[i] < last || owners[i] >= static_cast<std::int64_t>(windows)) {
-      reader.refuse(paths.owners(), "does not name windows in their order");
+      reader.refuse(paths.owners(), "does not name windows in order");
     }
     last = owners[i];
     lists[static_cast<std::size_t>(last)].push_back(values[i]);
@@ -147,8 +149,7 @@ void read_impact_times(const artefact::Reader& reader, WindowSet& windows) {
     for (const double time_s : own) {
       if (!(time_s >= last_s && time_s < end_s)) {
         reader.refuse(impact_time_paths.values,
-                      "holds a strike that does not follow the one before it "
-                      "within its window");
+                      "holds an impact that does not follow the previous one within its window");
       }
       last_s = time_s;
     }
@@ -160,8 +161,8 @@ void read_parents(const artefact::Reader& reader, WindowSet& windows) {
   for (const Parents& own : windows.parents) {
     for (const std::int32_t known : own) {
       if (known < 0) {
-        reader.refuse(parent_paths.values,
-                      "holds " + std::to_string(known) + ", which is no index of a window of C");
+        reader.refuse(parent_paths.values, "holds " + std::to_string(known) +
+                                               ", which is not the index of a window of C");
       }
     }
   }
@@ -262,17 +263,17 @@ WindowSet read_window_set(const artefact::Reader& reader) {
   WindowSet windows;
   windows.info = read_dataset_info(reader);
   if (windows.info.fault_labels().empty()) {
-    reader.refuse("/classes/defect", "has no class with a defect; there must be one at least");
+    reader.refuse("/classes/defect", "has no class with a defect; it must have at least one");
   }
   auto samples = reader.numbers<float>("/windows", {0, 0});
   windows.length = samples.shape[1];
   windows.samples = std::move(samples.values);
   windows.labels = reader.numbers<Label>("/labels", {0}).values;
   if (!ranges::window_samples.holds(static_cast<double>(windows.length))) {
-    reader.refuse("/windows", "has windows of " + std::to_string(windows.length) + " samples; it " +
-                                  ranges::window_samples.rule());
+    reader.refuse("/windows", "has windows of " + std::to_string(windows.length) +
+                                  " samples; their length " + ranges::window_samples.rule());
   }
-  if (windows.size() != samples.shape[0]) reader.refuse("/labels", "misfits /windows");
+  if (windows.size() != samples.shape[0]) reader.refuse("/labels", "does not match /windows");
   require_known_labels(reader, windows);
   require_movement(reader, windows);
   if (reader.has("/record")) read_places(reader, windows);

@@ -140,25 +140,27 @@ double ball_steps(const WindowSimulation& simulation) {
 }
 
 const std::string too_long =
-    "classes, balls and seconds of a window are together too many for eq. 13 to be solved";
+    "too many classes, balls and seconds of a window to solve eq. 13; choose fewer or shorter "
+    "windows";
 
 }  // namespace
 
 void bind(const cli::Options& command, SimulationOptions& options) {
-  command.add("--mass-kg", options.dynamics.mass_kg, "M of eq. 13, kg")
+  command.add("--mass-kg", options.dynamics.mass_kg, "mass M of eq. 13, kg")
       .check(cli::positive_number());
-  command.add("--load-n", options.dynamics.load_n, "W of eq. 13, N").check(cli::positive_number());
+  command.add("--load-n", options.dynamics.load_n, "load W of eq. 13, N")
+      .check(cli::positive_number());
   command
       .add("--clearance-um", options.dynamics.clearance_um,
            "radial clearance of eq. 11, micrometres; the load must exceed it times the stiffness")
       .check(cli::positive_number());
   command
       .add("--speed-spread", options.variation.speed_spread,
-           "of the shaft speed from window to window: standard deviation / mean")
+           "spread of the shaft speed between windows: standard deviation / mean")
       .check(spread());
   command
       .add("--slip-max", options.variation.slip_max,
-           "relative loss of cage and spin speed: uniform from 0 to this")
+           "largest slip: relative loss of cage and spin speed, uniform from 0 to this")
       .check(cli::share());
 }
 
@@ -201,10 +203,9 @@ WindowSimulation read_window_simulation(const artefact::Reader& reader) {
     simulation.options.variation.*member = reader.real(simulation_group, name, range);
   }
   if (ball_steps(simulation) > most_ball_steps)
-    reader.refuse(simulation_group, "asks too much: " + too_long);
+    reader.refuse(simulation_group, "cannot be simulated: " + too_long);
   if (simulation.length < 2) {
-    reader.refuse("/, attribute samples",
-                  "is 1, and one sample is no vibration; must be 2 or more");
+    reader.refuse("/, attribute samples", "is 1; it must be 2 or more");
   }
   return simulation;
 }

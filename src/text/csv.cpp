@@ -62,7 +62,8 @@ std::vector<CsvLine> read_csv(const std::filesystem::path& path) {
     lines.push_back({path.string() + ", line " + std::to_string(number), split_fields(text)});
     if (lines.back().fields.size() != lines.front().fields.size()) {
       lines.back().refuse("has " + std::to_string(lines.back().fields.size()) +
-                          " fields, the header has " + std::to_string(lines.front().fields.size()));
+                          " fields, but the header has " +
+                          std::to_string(lines.front().fields.size()));
     }
   }
   if (lines.size() < 2) throw Error(Exit::bad_input, path.string() + ": holds no table");

@@ -83,7 +83,7 @@ void damage(const fs::path& path) {
   spill(path, bytes);
 }
 
-TEST_F(Artefact, GivesBackWhatWasWritten) {
+TEST_F(Artefact, ReadsBackWhatWasWritten) {
   const Reader reader(example("a.h5"), "example");
   const auto floats = reader.numbers<float>("/float", {2, 0});
   EXPECT_EQ(floats.shape, (hdf5::Shape{2, 3}));
@@ -106,7 +106,7 @@ TEST_F(Artefact, HasTheSameBytesWhenWrittenAgain) {
   EXPECT_EQ(slurp(example("a.h5")), slurp(example("b.h5")));
 }
 
-TEST_F(Artefact, DigestLeavesProvenanceOut) {
+TEST_F(Artefact, DigestExcludesProvenance) {
   const Reader one(example("a.h5", "a = \"1\"\n"), "");
   const Reader two(example("b.h5", "a = \"2\"\n"), "");
   EXPECT_EQ(one.digest(), two.digest());
@@ -132,7 +132,7 @@ TEST_F(Artefact, DigestDependsOnEveryValueNameAndShape) {
 }
 
 // The promise itself: for any changed byte, a changed value is never read.
-TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
+TEST_F(Artefact, RefusesEveryFlippedByte) {
   const fs::path good = example("good.h5");
   const std::vector<std::byte> bytes = slurp(good);
   const std::string digest = Reader(good, "").digest();
@@ -154,7 +154,7 @@ TEST_F(Artefact, NoFlippedByteIsSilentlyUsed) {
   EXPECT_GT(refused, bytes.size() / 140);  // the rest is unused padding
 }
 
-TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
+TEST_F(Artefact, RefusesAWrongChecksumOfCorrectValues) {
   std::vector<std::byte> bytes = slurp(example("good.h5"));
   const std::vector<float> values{1.5F, -2.0F, 0.25F, 4.0F, 5.0F, 6.0F};
   const auto found = std::ranges::search(bytes, std::as_bytes(std::span(values)));
@@ -167,7 +167,7 @@ TEST_F(Artefact, AWrongChecksumIsRefusedThoughTheValuesAreRight) {
 }
 
 /// Provenance is protected like the contents.
-TEST_F(Artefact, AlteredProvenanceIsRefused) {
+TEST_F(Artefact, RefusesAlteredProvenance) {
   const fs::path altered = example("altered.h5");
   {
     const hdf5::Handle file(H5Fopen(altered.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
@@ -179,7 +179,7 @@ TEST_F(Artefact, AlteredProvenanceIsRefused) {
   EXPECT_THAT(refusal.what(), HasSubstr("the digest of /provenance does not match"));
 }
 
-TEST_F(Artefact, ATruncatedFileIsRefused) {
+TEST_F(Artefact, RefusesATruncatedFile) {
   const std::vector<std::byte> bytes = slurp(example("good.h5"));
   for (const std::size_t keep :
        {std::size_t{0}, std::size_t{7}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
@@ -190,7 +190,7 @@ TEST_F(Artefact, ATruncatedFileIsRefused) {
   }
 }
 
-TEST_F(Artefact, RefusalsSayWhatAndWhere) {
+TEST_F(Artefact, RefusalsNameProblemAndPlace) {
   const Refusal missing = refusal_of(folder_ / "none.h5");
   EXPECT_EQ(missing.exit(), Exit::input_missing);
   EXPECT_THAT(missing.what(), HasSubstr("none.h5"));
@@ -215,7 +215,7 @@ TEST_F(Artefact, RefusalsSayWhatAndWhere) {
   EXPECT_THROW((void)reader.text("/", "no"), Refusal);
 }
 
-TEST_F(Artefact, ManyAreReadAsEachAlone) {
+TEST_F(Artefact, ReadsManyLikeEachAlone) {
   std::vector<fs::path> files;
   // More files than one child reads. Most are links, because writing a file waits for the disk.
   for (int i = 0; i < 600; ++i) {
@@ -273,7 +273,7 @@ class NoPipe {
   rlimit before_{};
 };
 
-TEST_F(Artefact, NoneOfManyIsReadUncheckedWhereTheSystemGivesNoProcess) {
+TEST_F(Artefact, ReadsNoneOfManyUncheckedIfNoProcessCanStart) {
   const std::vector<fs::path> files{example("0.h5"), example("1.h5"), example("2.h5")};
   damage(files[1]);
   Readers readers(files, "example");
@@ -285,7 +285,7 @@ TEST_F(Artefact, NoneOfManyIsReadUncheckedWhereTheSystemGivesNoProcess) {
   EXPECT_EQ(readers.next().path(), files[2]);
 }
 
-TEST_F(Artefact, NothingThatIsNotFiniteIsWritten) {
+TEST_F(Artefact, WritesOnlyFiniteValues) {
   Writer writer("example");
   const std::vector<float> values{1, std::numeric_limits<float>::quiet_NaN()};
   EXPECT_THROW(writer.numbers("/x", values), Error);
@@ -309,7 +309,7 @@ TEST_F(Artefact, FailedWritesLeaveNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "a.h5.partial"));
 }
 
-TEST_F(Artefact, SaysHowItWasMade) {
+TEST_F(Artefact, StoresItsProvenance) {
   const Reader reader(example("a.h5"), "");
   EXPECT_EQ(reader.text("/provenance", "program"), "tester");
   EXPECT_EQ(reader.strings("/provenance/options"), (std::vector<std::string>{"a = \"1\"\n"}));

@@ -59,7 +59,7 @@ TEST(WrittenFile, IsNotWrittenThroughAPlantedLink) {
   EXPECT_EQ(bytes_of(folder / "a.h5"), "new");
 }
 
-TEST(WrittenFile, DoesNotTakeThePlaceOfALink) {
+TEST(WrittenFile, DoesNotReplaceALink) {
   const Folder folder;
   const fs::path victim = folder.write("victim", "precious");
   fs::create_symlink(victim, folder / "a.h5");
@@ -72,7 +72,7 @@ TEST(WrittenFile, DoesNotTakeThePlaceOfALink) {
   EXPECT_THAT(names_in(folder), ElementsAre("a.h5", "b.h5", "victim"));
 }
 
-TEST(WrittenFile, ComesWithoutWhatKilledWritersHaveLeft) {
+TEST(WrittenFile, RemovesRemainsOfKilledWriters) {
   const Folder folder;
   folder.write("a.h5.partial-0123456789abcdef", "half");
   folder.write("a.h5.partial-fedcba9876543210", "");
@@ -84,7 +84,7 @@ TEST(WrittenFile, ComesWithoutWhatKilledWritersHaveLeft) {
   EXPECT_THAT(names_in(folder), testing::IsEmpty());
 }
 
-TEST(WrittenFile, LeavesWhatOthersWriteAndWhatIsNotItsOwn) {
+TEST(WrittenFile, KeepsFilesOfOtherWriters) {
   const Folder folder;
   const std::set<std::string> others{"a.h5.partial-0123456789abcdef",
                                      "b.h5.partial-0123456789abcdef", "a.h5.partial-of-mine",
@@ -99,7 +99,7 @@ TEST(WrittenFile, LeavesWhatOthersWriteAndWhatIsNotItsOwn) {
   ::close(written);
 }
 
-TEST(WrittenFile, IsWholeHoweverManyWriteItAtOnce) {
+TEST(WrittenFile, IsCompleteWithConcurrentWriters) {
   const Folder folder;
   constexpr int writers = 6;
   std::vector<pid_t> children;
@@ -122,7 +122,7 @@ TEST(WrittenFile, IsWholeHoweverManyWriteItAtOnce) {
   EXPECT_THAT(names_in(folder), ElementsAre("a.h5"));
 }
 
-TEST(WrittenFile, ThatGrowsTooLargeFailsAndLeavesNothing) {
+TEST(WrittenFile, LeavesNothingIfTooLarge) {
   const Folder folder;
   folder.write("a.h5", "old");
   const int status = status_of_child([&] {
@@ -146,7 +146,7 @@ TEST(ReadFile, DoesNotWaitForAPipe) {
 }
 
 // A sparse file claims gigabytes that are not on the disk.
-TEST(ReadFile, TakesNothingOfWhatIsTooLarge) {
+TEST(ReadFile, RefusesALargeFileWithoutReadingIt) {
   const Folder folder;
   write_text(folder / "a", "1234");
   fs::resize_file(folder / "a", 12'000'000'000);

@@ -24,7 +24,7 @@ std::uint32_t word_by_word(const std::vector<std::byte>& bytes) {
   return sum_of_sums << 16U | sum;
 }
 
-TEST(Fletcher32, IsThatOfWordsAddedOneByOne) {
+TEST(Fletcher32, MatchesAdditionWordByWord) {
   Stream stream("fletcher32");
   for (const std::size_t size : {2U, 4U, 510U, 512U, 514U, 1024U, 4098U, 100'000U}) {
     std::vector<std::byte> bytes(size);
@@ -33,7 +33,7 @@ TEST(Fletcher32, IsThatOfWordsAddedOneByOne) {
   }
 }
 
-TEST(Fletcher32, TellsNothingFromAWholeTurn) {
+TEST(Fletcher32, GivesFixedSumsForZerosAndOnes) {
   EXPECT_EQ(fletcher32(std::vector<std::byte>(600)), 0U);
   EXPECT_EQ(fletcher32(std::vector<std::byte>(600, std::byte{0xff})), 0xffffffffU);
   EXPECT_EQ(fletcher32({}), 0U);

@@ -32,7 +32,7 @@ struct RunWithJournal {
   }
 };
 
-TEST(JournalOfARun, KeepsHowAnArtefactWasMade) {
+TEST(JournalOfARun, RecordsTheProvenanceOfAnArtefact) {
   const RunWithJournal run;
   const Journal journal(run.folder.path());
   const SeenFile* const seen = journal.file(run.file);
@@ -47,7 +47,7 @@ TEST(JournalOfARun, KeepsHowAnArtefactWasMade) {
   EXPECT_EQ(journal.file((run.folder / "other.h5").string()), nullptr);
 }
 
-TEST(JournalOfARun, KeepsHowAStepMadeItsFiles) {
+TEST(JournalOfARun, RecordsTheFilesOfAStep) {
   const Folder folder;
   const std::string step = (folder / "cwru/tabulate").string();
   Journal first(folder.path());
@@ -64,14 +64,14 @@ TEST(JournalOfARun, KeepsHowAStepMadeItsFiles) {
   EXPECT_EQ(read->outputs, done.outputs);
 }
 
-TEST(JournalOfARun, TakesTheLastLine) {
+TEST(JournalOfARun, UsesTheLastLine) {
   const RunWithJournal run;
   run.folder.write("model.h5", "another content");
   add_to_journal(run.folder.path(), run.file, {std::string(64, 'e'), "model.h5"}, provenance);
   EXPECT_EQ(Journal(run.folder.path()).file(run.file)->digest, std::string(32, 'e'));
 }
 
-TEST(JournalOfARun, LosesNothingButTheLineThatIsDamaged) {
+TEST(JournalOfARun, LosesOnlyDamagedLines) {
   const RunWithJournal run;
   const std::string text = bytes_of(run.folder / ".journal");
   for (std::size_t size = 0; size < text.size(); ++size) {
@@ -88,7 +88,7 @@ TEST(JournalOfARun, LosesNothingButTheLineThatIsDamaged) {
   }
 }
 
-TEST(JournalOfARun, IsRefusedWhereSomethingElseHasItsPlace) {
+TEST(JournalOfARun, IsRefusedIfNotAFile) {
   const Folder folder;
   const std::filesystem::path place = folder.path() / ".journal";
   const auto expect_refusal = [&] {
@@ -102,14 +102,14 @@ TEST(JournalOfARun, IsRefusedWhereSomethingElseHasItsPlace) {
   EXPECT_NO_THROW(Journal{folder.path()});
 }
 
-TEST(JournalOfARun, MovesWithIt) {
+TEST(JournalOfARun, MovesWithTheRun) {
   const RunWithJournal run;
   run.folder.write("moved/.journal", bytes_of(run.folder / ".journal"));
   const std::filesystem::path moved = run.folder / "moved";
   EXPECT_NE(Journal(moved).file((moved / "model.h5").string()), nullptr);
 }
 
-TEST(JournalOfARun, StaysSmallHoweverOftenFilesAreMade) {
+TEST(JournalOfARun, StaysSmallAfterManyRebuilds) {
   const RunWithJournal run;
   for (int i = 0; i < 12000; ++i) {
     add_to_journal(run.folder.path(), run.file, {std::string(64, 'd'), "model.h5"}, provenance);
@@ -121,7 +121,7 @@ TEST(JournalOfARun, StaysSmallHoweverOftenFilesAreMade) {
   EXPECT_NE(Journal(run.folder.path()).file(run.file), nullptr);
 }
 
-TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsCompacted) {
+TEST(JournalOfARun, LosesNothingAddedDuringCompaction) {
   const Folder folder;
   Provenance large = provenance;
   large.options = "a = \"" + std::string(100'000, 'x') + "\"\n";
@@ -142,7 +142,7 @@ TEST(JournalOfARun, LosesNothingThatIsAddedWhileItIsCompacted) {
   }
 }
 
-TEST(LookOfAFile, ChangesWithIt) {
+TEST(LookOfAFile, ChangesWithTheFile) {
   const Folder folder;
   folder.write("a", "1");
   const auto before = stat_of(folder / "a");

@@ -17,7 +17,7 @@ fs::path numbered(std::int64_t number) {
 }
 
 // HDF5 treats two files in memory with the same name as one file.
-TEST(OpenFiles, ReadersThatLiveTogetherReadTheirOwnFiles) {
+TEST(OpenFiles, AreReadIndependently) {
   for (const std::int64_t number : {1, 2}) {
     Writer writer("model");
     writer.attribute("/", "number", number);
@@ -29,7 +29,7 @@ TEST(OpenFiles, ReadersThatLiveTogetherReadTheirOwnFiles) {
   EXPECT_EQ(two.integer("/", "number"), 2);
 }
 
-TEST(OpenFiles, WritersThatLiveTogetherWriteTheirOwnFiles) {
+TEST(OpenFiles, AreWrittenIndependently) {
   Writer one("model");
   Writer two("model");
   one.attribute("/", "number", std::int64_t{1});
@@ -41,7 +41,7 @@ TEST(OpenFiles, WritersThatLiveTogetherWriteTheirOwnFiles) {
 }
 
 // HDF5 looks in the working folder for a file with the name of one in memory, and opens it.
-TEST(OpenFiles, AreNotLookedForInTheWorkingFolder) {
+TEST(OpenFiles, DoNotComeFromTheWorkingFolder) {
   Writer writer("model");
   writer.attribute("/", "number", std::int64_t{1});
   writer.save(numbered(1), {});

@@ -40,7 +40,7 @@ ino_t inode_of(const std::filesystem::path& path) {
 }
 
 /// Otherwise a power cut could leave an empty file with the final name, or none.
-TEST(PartialFile, IsOnTheDiskBeforeItHasItsNameAndItsFolderAfterThat) {
+TEST(PartialFile, IsSyncedBeforeItIsRenamedAndItsFolderAfterwards) {
   const Folder folder;
   name_of_file = folder.path() / "model.h5";
   synced.clear();

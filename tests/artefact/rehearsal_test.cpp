@@ -27,11 +27,11 @@ void expect_harm(const std::function<void()>& read) {
   EXPECT_EQ(objection->line, otherwise);
 }
 
-TEST(Rehearsal, HasNothingToSayOfWhatIsGood) {
+TEST(Rehearsal, AcceptsValidFiles) {
   EXPECT_FALSE(rehearsed([] {}));
 }
 
-TEST(Rehearsal, HandsOnWhatIsRefused) {
+TEST(Rehearsal, ReportsRefusals) {
   const auto objection = rehearsed(
       [] { throw Refusal(Exit::bad_input, RefusalReason::wrong_kind, "a.h5: is 12 \"windows\""); });
   ASSERT_TRUE(objection);
@@ -39,7 +39,7 @@ TEST(Rehearsal, HandsOnWhatIsRefused) {
   EXPECT_EQ(objection->line, "a.h5: is 12 \"windows\"");
 }
 
-TEST(Rehearsal, SurvivesWhateverBecomesOfTheChild) {
+TEST(Rehearsal, SurvivesAnyEndOfTheChild) {
   expect_harm([] { ::raise(SIGSEGV); });
   expect_harm([] { ::raise(SIGKILL); });
   expect_harm([] { std::abort(); });
@@ -57,7 +57,7 @@ std::vector<std::optional<Objection>> rehearsed_among_others(const std::function
   return rehearse_all(files);
 }
 
-TEST(Rehearsal, OfManyFilesBlamesTheOneThatDoesHarm) {
+TEST(Rehearsal, FindsTheHarmfulFileAmongMany) {
   const std::vector<std::function<void()>> harms{
       [] { ::raise(SIGSEGV); }, [] { throw std::runtime_error("odd"); }, [] { ::_exit(0); }};
   for (const auto& harm : harms) {
@@ -74,7 +74,7 @@ TEST(Rehearsal, OfManyFilesBlamesTheOneThatDoesHarm) {
   EXPECT_TRUE(rehearse_all({}).empty());
 }
 
-TEST(Rehearsal, GivesTheChildMemoryAndTimeByTheFilesSize) {
+TEST(Rehearsal, LimitsMemoryAndTimeByTheFileSize) {
   expect_harm([] {
     std::vector<char> large(std::size_t{1} << 30U);
     static volatile char first = large.front();
@@ -87,7 +87,7 @@ TEST(Rehearsal, GivesTheChildMemoryAndTimeByTheFilesSize) {
 }
 
 // A shell's `ulimit -v` must not make good files look damaged.
-TEST(Rehearsal, DoesNotBlameTheFileWhereMemoryIsShort) {
+TEST(Rehearsal, DoesNotRefuseAFileIfMemoryIsShort) {
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
   const rlimit little{std::size_t{1} << 20U, before.rlim_max};
@@ -106,7 +106,7 @@ TEST(Rehearsal, LeavesNothingBehind) {
 }
 
 // A shell may let its children ignore this signal: the system then does not keep their status.
-TEST(Rehearsal, NeedsNoStatusOfTheChild) {
+TEST(Rehearsal, WorksWithoutTheStatusOfTheChild) {
   const auto before = ::signal(SIGCHLD, SIG_IGN);
   EXPECT_FALSE(rehearsed([] {}));
   expect_harm([] { ::raise(SIGKILL); });

@@ -59,13 +59,13 @@ void make_dataset(hid_t file, const std::string& path, hid_t type, hsize_t count
       H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), "dataset");
 }
 
-TEST_F(Structure, IsGoodAsAStageWroteIt) {
+TEST_F(Structure, AcceptsFilesOfStages) {
   stages::doctor(file_, [](hid_t) {});
   EXPECT_EQ(Reader(file_, "example").integer("/", "seed"), 3);
 }
 
 /// Attributes beyond the eighth go to a heap, which has a list of its free space.
-TEST_F(Structure, DamageInABlockThatNoValueNeedsIsRefused) {
+TEST_F(Structure, RefusesDamageInAnUnusedBlock) {
   Writer writer("example");
   writer.numbers("/values", std::vector<double>{1, 2, 3});
   for (int i = 0; i < 12; ++i) writer.attribute("/", "a" + std::to_string(i), std::int64_t{i});
@@ -81,12 +81,12 @@ TEST_F(Structure, DamageInABlockThatNoValueNeedsIsRefused) {
   }
 }
 
-TEST_F(Structure, ArraysAreNoAttributes) {
+TEST_F(Structure, RefusesArraysAsAttributes) {
   expect_refused([](hid_t file) { make_array(file, "seed", H5T_STD_I64LE, 7000); },
                  "an array of values at /, attribute seed");
 }
 
-TEST_F(Structure, AnArrayOfKindsIsNoKind) {
+TEST_F(Structure, RefusesAnArrayOfKinds) {
   const Handle foreign(H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create");
   const Handle type(H5Tcopy(H5T_C_S1), "type");
   check(H5Tset_size(type, 7), "type");
@@ -100,7 +100,7 @@ TEST_F(Structure, AnArrayOfKindsIsNoKind) {
   }
 }
 
-TEST_F(Structure, LinksThatLeadElsewhereAreRefused) {
+TEST_F(Structure, RefusesSoftLinks) {
   expect_refused(
       [](hid_t file) {
         check(H5Lcreate_soft("/values", file, "soft", H5P_DEFAULT, H5P_DEFAULT), "link");
@@ -108,7 +108,7 @@ TEST_F(Structure, LinksThatLeadElsewhereAreRefused) {
       "a soft link at /soft");
 }
 
-TEST_F(Structure, LinksToOtherFilesAreRefused) {
+TEST_F(Structure, RefusesLinksToOtherFiles) {
   expect_refused(
       [](hid_t file) {
         check(H5Lcreate_external("b.h5", "/x", file, "out", H5P_DEFAULT, H5P_DEFAULT), "link");
@@ -116,7 +116,7 @@ TEST_F(Structure, LinksToOtherFilesAreRefused) {
       "a link to another file at /out");
 }
 
-TEST_F(Structure, SecondLinksAreRefused) {
+TEST_F(Structure, RefusesSecondLinks) {
   expect_refused(
       [](hid_t file) {
         check(H5Lcreate_hard(file, "/values", file, "/group/again", H5P_DEFAULT, H5P_DEFAULT),
@@ -125,7 +125,7 @@ TEST_F(Structure, SecondLinksAreRefused) {
       "a second link to one object");
 }
 
-TEST_F(Structure, CirclesAreRefused) {
+TEST_F(Structure, RefusesCycles) {
   expect_refused(
       [](hid_t file) {
         check(H5Lcreate_hard(file, "/", file, "/group/root", H5P_DEFAULT, H5P_DEFAULT), "link");
@@ -133,12 +133,12 @@ TEST_F(Structure, CirclesAreRefused) {
       "a second link to one object");
 }
 
-TEST_F(Structure, NamesThatBreakALineAreRefused) {
+TEST_F(Structure, RefusesNamesWithLineBreaks) {
   expect_refused([](hid_t file) { hdf5::make_group(file, "/two\nlines"); },
                  "a name that no file should have");
 }
 
-TEST_F(Structure, NoDatasetClaimsMoreThanTheFileHas) {
+TEST_F(Structure, RefusesDatasetsLargerThanTheFile) {
   expect_refused(
       [](hid_t file) {
         const Handle creation(H5Pcreate(H5P_DATASET_CREATE), "creation");
@@ -147,7 +147,7 @@ TEST_F(Structure, NoDatasetClaimsMoreThanTheFileHas) {
       "/huge claims more bytes than the file has");
 }
 
-TEST_F(Structure, NoProductOverflows) {
+TEST_F(Structure, RefusesExtentsWhoseProductOverflows) {
   const Handle open(H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), "creation");
   const hsize_t one = 1;
@@ -156,7 +156,7 @@ TEST_F(Structure, NoProductOverflows) {
   EXPECT_THROW(require_our_structure(open, 1 << 20), std::runtime_error);
 }
 
-TEST_F(Structure, CompressedDatasetsAreRefused) {
+TEST_F(Structure, RefusesCompressedDatasets) {
   expect_refused(
       [](hid_t file) {
         const Handle creation(H5Pcreate(H5P_DATASET_CREATE), "creation");
@@ -168,7 +168,7 @@ TEST_F(Structure, CompressedDatasetsAreRefused) {
       "compressed or filtered");
 }
 
-TEST_F(Structure, DatasetsInOtherFilesAreRefused) {
+TEST_F(Structure, RefusesDatasetsInOtherFiles) {
   expect_refused(
       [this](hid_t file) {
         const Handle creation(H5Pcreate(H5P_DATASET_CREATE), "creation");
@@ -179,7 +179,7 @@ TEST_F(Structure, DatasetsInOtherFilesAreRefused) {
       "kept in other files");
 }
 
-TEST_F(Structure, OtherTypesAreRefused) {
+TEST_F(Structure, RefusesOtherTypes) {
   expect_refused([](hid_t file) { make_dataset(file, "/big", H5T_IEEE_F64BE, 2, H5P_DEFAULT); },
                  "values of this type at /big");
 }

@@ -8,7 +8,7 @@
 namespace piae {
 namespace {
 
-TEST(Compute, IsNativeWhereItCanBeUnlessLibtorchIsAskedFor) {
+TEST(Compute, IsNativeIfPossibleUnlessLibtorchIsRequested) {
   EXPECT_FALSE(needs_libtorch({Backend::automatic, Device::cpu}));
   EXPECT_TRUE(needs_libtorch({Backend::automatic, Device::cuda}));
   EXPECT_FALSE(needs_libtorch({Backend::native, Device::cpu}));
@@ -16,7 +16,7 @@ TEST(Compute, IsNativeWhereItCanBeUnlessLibtorchIsAskedFor) {
   EXPECT_TRUE(needs_libtorch({Backend::libtorch, Device::cuda}));
 }
 
-TEST(Compute, ThatCannotBeIsAnErrorThatSaysWhatCan) {
+TEST(Compute, RefusesImpossibleChoicesWithAnAlternative) {
   try {
     needs_libtorch({Backend::native, Device::cuda});
     FAIL() << "no error";
@@ -29,7 +29,7 @@ TEST(Compute, ThatCannotBeIsAnErrorThatSaysWhatCan) {
 int twice(int x) { return 2 * x; }
 int thrice(int x) { return 3 * x; }
 
-TEST(Backends, GiveWhatIsAskedFor) {
+TEST(Backends, GiveTheRequestedBackend) {
   constexpr Backends<int (*)(int)> both{twice, thrice};
   EXPECT_EQ(both.chosen({})(5), 10);
   EXPECT_EQ(both.chosen({Backend::libtorch, Device::cpu})(5), 15);

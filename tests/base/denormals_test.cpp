@@ -7,7 +7,7 @@
 namespace piae {
 namespace {
 
-TEST(DenormalsAreZero, TakesThemForZeroWhileItLives) {
+TEST(DenormalsAreZero, HoldsDuringItsLifetime) {
   volatile float smallest = std::numeric_limits<float>::min();
   volatile float denormal = smallest / 4;
   ASSERT_GT(denormal, 0);

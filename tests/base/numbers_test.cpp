@@ -10,7 +10,7 @@
 namespace piae {
 namespace {
 
-TEST(NumberIn, TakesTheWholeTextOrNothing) {
+TEST(NumberIn, ParsesTheWholeTextOrNothing) {
   EXPECT_EQ(number_in<std::int64_t>("-12"), -12);
   EXPECT_EQ(number_in<double>("5e-4"), 5e-4);
   for (const std::string text : {"", " 1", "1 ", "1x", "x", "1,5", "0x10"}) {
@@ -20,7 +20,7 @@ TEST(NumberIn, TakesTheWholeTextOrNothing) {
   EXPECT_EQ(number_in<std::int64_t>("1.5"), std::nullopt);
 }
 
-TEST(NumberIn, TakesOnlyWhatItsTypeCanHold) {
+TEST(NumberIn, RefusesNumbersOutsideTheType) {
   EXPECT_EQ(number_in<std::int64_t>("9223372036854775807"), INT64_MAX);
   EXPECT_EQ(number_in<std::int64_t>("9223372036854775808"), std::nullopt);
   EXPECT_EQ(number_in<double>("1e999"), std::nullopt);

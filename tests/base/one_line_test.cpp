@@ -5,14 +5,14 @@
 namespace piae {
 namespace {
 
-TEST(OneLine, LeavesWhatIsPrintedAlone) {
+TEST(OneLine, KeepsPrintableText) {
   const std::string text = "Lagerschäden, 轴承, \xF0\x9F\x94\xA7 and 'a b'";
   EXPECT_FALSE(has_control_characters(text));
   EXPECT_EQ(one_line(text), text);
   EXPECT_EQ(one_line(""), "");
 }
 
-TEST(OneLine, HasNothingThatATerminalObeys) {
+TEST(OneLine, RemovesTerminalCommands) {
   EXPECT_EQ(one_line("a\nb\tc\x1b[2J\x7f"), "a?b?c?[2J?");
   EXPECT_EQ(one_line("\xC2\x80 \xC2\x9B"
                      "2J \xC2\x9F \xC2\xA0"),
@@ -20,7 +20,7 @@ TEST(OneLine, HasNothingThatATerminalObeys) {
   EXPECT_EQ(one_line({"a\0b", 3}), "a?b");
 }
 
-TEST(OneLine, HasNothingThatTurnsOrBreaksLines) {
+TEST(OneLine, RemovesLineBreaksAndDirectionMarks) {
   for (const std::string mark :
        {"\xD8\x9C", "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xA8", "\xE2\x80\xA9", "\xE2\x80\xAA",
         "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x81\xA9"}) {
@@ -30,7 +30,7 @@ TEST(OneLine, HasNothingThatTurnsOrBreaksLines) {
   EXPECT_FALSE(has_control_characters("\xE2\x80\x90 \xE2\x80\xAF \xE2\x81\xA5"));
 }
 
-TEST(OneLine, HasNothingThatIsNoUtf8) {
+TEST(OneLine, RemovesInvalidUtf8) {
   for (const std::string bytes : {
            "\x9B",                              // not a first byte
            "\xC2", "\xE2\x80", "\xF0\x9F\x94",  // cut
@@ -45,7 +45,7 @@ TEST(OneLine, HasNothingThatIsNoUtf8) {
   }
 }
 
-TEST(OneLine, Ends) {
+TEST(OneLine, LimitsTheLength) {
   const std::string full(1000, 'x');
   EXPECT_EQ(one_line(full), full);
   EXPECT_EQ(one_line(full + "y"), full + "...");

@@ -16,11 +16,11 @@ TEST(ParallelFor, VisitsEveryIndexOnce) {
   EXPECT_EQ(visits, std::vector<int>(1000, 1));
 }
 
-TEST(ParallelFor, OfNothingDoesNothing) {
+TEST(ParallelFor, DoesNothingForNothing) {
   parallel_for(0, [](std::size_t) { FAIL(); });
 }
 
-TEST(ParallelFor, ThrowsWhatTheLowestIndexThrewOnceAllHaveEnded) {
+TEST(ParallelFor, RethrowsTheErrorOfTheLowestIndexAfterAllEnd) {
   std::atomic<int> ended = 0;
   try {
     parallel_for(100, [&](std::size_t i) {
@@ -34,7 +34,7 @@ TEST(ParallelFor, ThrowsWhatTheLowestIndexThrewOnceAllHaveEnded) {
   EXPECT_EQ(ended, 100);
 }
 
-TEST(ParallelForParts, CutsEachSetIntoPartsOfItsOwn) {
+TEST(ParallelForParts, CutsEachSetSeparately) {
   std::vector<int> set_of(21, -1);
   std::atomic<int> parts = 0;
   parallel_for_parts(3, 7, 3, [&](std::size_t first, std::size_t count) {
@@ -47,7 +47,7 @@ TEST(ParallelForParts, CutsEachSetIntoPartsOfItsOwn) {
   for (std::size_t i = 0; i < set_of.size(); ++i) EXPECT_EQ(set_of[i], static_cast<int>(i / 7));
 }
 
-TEST(ParallelForParts, OfNothingDoesNothing) {
+TEST(ParallelForParts, DoesNothingForNothing) {
   parallel_for_parts(3, 0, 8, [](std::size_t, std::size_t) { FAIL(); });
   parallel_for_parts(0, 3, 8, [](std::size_t, std::size_t) { FAIL(); });
 }

@@ -9,7 +9,7 @@
 namespace piae {
 namespace {
 
-TEST(Stream, IsDerivedFromItsNameAlone) {
+TEST(Stream, DependsOnlyOnItsName) {
   Stream first("cwru/seed3/split");
   Stream second("cwru/seed3/split");
   for (int i = 0; i < 100; ++i) EXPECT_EQ(first.uniform(0, 1), second.uniform(0, 1));
@@ -17,7 +17,7 @@ TEST(Stream, IsDerivedFromItsNameAlone) {
   EXPECT_NE(Stream("cwru/seed3/split").uniform(0, 1), other.uniform(0, 1));
 }
 
-TEST(Stream, AChildDoesNotDependOnWhatItsParentDrew) {
+TEST(Stream, ChildDoesNotDependOnDrawsOfItsParent) {
   Stream parent("parent");
   const double before = parent.child("x").uniform(0, 1);
   parent.normal(0, 1);
@@ -27,7 +27,7 @@ TEST(Stream, AChildDoesNotDependOnWhatItsParentDrew) {
 
 // SHA-256("abc") starts with ba7816bf8f01cfea. This test fixes the derivation forever: a change
 // would silently change every result.
-TEST(Stream, SeedsTheMersenneTwisterWithTheFirstEightBytesOfTheNamesDigest) {
+TEST(Stream, IsSeededWithEightBytesOfTheNamesDigest) {
   Stream stream("abc");
   boost::random::mt19937_64 engine(0xba7816bf8f01cfeaULL);
   const auto expected = static_cast<double>(engine()) / 18446744073709551616.0;
@@ -63,7 +63,7 @@ TEST(Stream, PermutationHoldsEachIndexOnce) {
   EXPECT_TRUE(stream.permutation(0).empty());
 }
 
-TEST(Stream, EveryPermutationOfThreeIsAsLikely) {
+TEST(Stream, PermutationsOfThreeAreEquallyLikely) {
   Stream stream("three");
   std::map<std::vector<std::size_t>, int> seen;
   constexpr int draws = 60000;

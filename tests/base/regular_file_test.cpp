@@ -11,7 +11,7 @@
 namespace piae {
 namespace {
 
-TEST(RegularFile, IsReadPieceByPiece) {
+TEST(RegularFile, IsReadInPieces) {
   const Folder folder;
   const RegularFile file(folder.write("abc.txt", "abc"));
   std::array<std::byte, 2> piece{};
@@ -22,7 +22,7 @@ TEST(RegularFile, IsReadPieceByPiece) {
   EXPECT_EQ(file.read(piece), 0U);
 }
 
-TEST(RegularFile, IsNoPipeFolderOrDevice) {
+TEST(RegularFile, RefusesPipesFoldersAndDevices) {
   const Folder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   EXPECT_ERROR(RegularFile(folder / "pipe"), Exit::input_missing, "pipe: is not a file");

@@ -19,17 +19,17 @@ TEST(Sha256, EqualsTheStandardsExamples) {
   EXPECT_EQ(Sha256().update("abc").finish_hex(), of_abc);
 }
 
-TEST(Sha256, DoesNotDependOnHowItIsFed) {
+TEST(Sha256, DoesNotDependOnThePieces) {
   EXPECT_EQ(Sha256().update("a").update("").update("bc").finish_hex(), of_abc);
 }
 
-TEST(Sha256, OfAFileIsThatOfItsBytes) {
+TEST(Sha256, HashesTheBytesOfAFile) {
   const auto path = std::filesystem::path(testing::TempDir()) / "abc.txt";
   std::ofstream(path) << "abc";
   EXPECT_EQ(sha256_of_file(path), of_abc);
 }
 
-TEST(Sha256, OfAMissingFileIsAnError) {
+TEST(Sha256, RefusesAMissingFile) {
   try {
     sha256_of_file("/no/such/file");
     FAIL();
@@ -39,7 +39,7 @@ TEST(Sha256, OfAMissingFileIsAnError) {
   }
 }
 
-TEST(Sha256, OfADeviceThatNeverEndsIsAnError) {
+TEST(Sha256, RefusesAnEndlessDevice) {
   EXPECT_ERROR(sha256_of_file("/dev/zero"), Exit::input_missing, "/dev/zero: is not a file");
 }
 

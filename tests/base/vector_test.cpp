@@ -19,7 +19,7 @@ void expect_roots(const std::array<double, lanes<double>>& numbers) {
   }
 }
 
-TEST(PositiveRoot, IsRoundedAsThatOfTheStandardLibrary) {
+TEST(PositiveRoot, IsRoundedLikeTheStandardLibrary) {
   Stream random("roots");
   std::array<double, lanes<double>> numbers{};
   for (int i = 0; i < 20000; ++i) {
@@ -28,7 +28,7 @@ TEST(PositiveRoot, IsRoundedAsThatOfTheStandardLibrary) {
   }
 }
 
-TEST(PositiveRoot, IsRoundedSoBesideSquares) {
+TEST(PositiveRoot, IsRoundedLikeTheStandardLibraryNearSquares) {
   Stream random("squares");
   std::array<double, lanes<double>> numbers{};
   for (int i = 0; i < 20000; ++i) {
@@ -40,7 +40,7 @@ TEST(PositiveRoot, IsRoundedSoBesideSquares) {
   }
 }
 
-TEST(PositiveRoot, OfOthersIsZero) {
+TEST(PositiveRoot, IsZeroForOtherNumbers) {
   for (const double x : {0.0, -1e-300, -4.0}) {
     double roots[lanes<double>];
     store<double>(roots, positive_root(Vector<double>{} + x));
@@ -48,7 +48,7 @@ TEST(PositiveRoot, OfOthersIsZero) {
   }
 }
 
-TEST(AnyPositive, LooksAtEachNumber) {
+TEST(AnyPositive, ChecksEachNumber) {
   EXPECT_FALSE(any_positive(Vector<double>{}));
   EXPECT_FALSE(any_positive(Vector<double>{} - 1));
   for (std::int64_t i = 0; i < lanes<double>; ++i) {

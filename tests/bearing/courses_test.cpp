@@ -70,7 +70,7 @@ class Courses : public testing::TestWithParam<Defect> {
   }
 };
 
-TEST_P(Courses, AreThoseOfTheReference) {
+TEST_P(Courses, MatchTheReference) {
   const std::vector<Course> courses = varied_courses(2 * courses_at_once + 3, GetParam());
   for (const double size_mm : {0.1778, 0.5334}) {
     const std::vector<double> rows = simulate({}, defect(size_mm), courses, sampling);
@@ -81,7 +81,7 @@ TEST_P(Courses, AreThoseOfTheReference) {
   }
 }
 
-TEST_P(Courses, AreThoseOfTheReferenceInOtherBearingsToo) {
+TEST_P(Courses, MatchTheReferenceInOtherBearings) {
   const std::vector<Course> courses = varied_courses(3, GetParam());
   for (const int balls : {3, 4, 7, 8, 16}) {
     Geometry geometry;
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Courses,
                                          Defect::roller));
 
 /// A ball at -90 or 90 degrees carries nothing, however its cosine is rounded.
-TEST(Courses, MayStartWhereABallEnters) {
+TEST(Courses, MayStartAtTheEntryOfABall) {
   constexpr double right_angle = std::numbers::pi / 2;
   for (const double cage : {-right_angle, right_angle, 3 * right_angle, -5 * right_angle}) {
     for (const double clearance_um : {0.0, 2.0}) {
@@ -137,7 +137,7 @@ std::string message_of(const std::vector<Course>& courses, Exit exit) {
   return "no error";
 }
 
-TEST(Courses, OneThatDivergesIsAnErrorWhereverItStands) {
+TEST(Courses, ReportDivergenceInAnyPlace) {
   const std::vector<Course> calm = varied_courses(courses_at_once + 2, Defect::outer);
   for (std::size_t i = 0; i < calm.size(); ++i) {
     std::vector<Course> courses = calm;
@@ -148,15 +148,15 @@ TEST(Courses, OneThatDivergesIsAnErrorWhereverItStands) {
 }
 
 /// 30 ms of settling are 360 samples; the course diverges in the first of them.
-TEST(Courses, DivergenceNamesItsTimeAndTheSubStep) {
+TEST(Courses, ReportTheTimeAndSubStepOfDivergence) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.damping_ns_per_m = 1e9;
   EXPECT_EQ(message_of(courses, Exit::failed),
-            "eq. 13 diverged at -0.0299167 s with sub-steps of 1.98e-06 s: stiffness and damping "
-            "over mass ask for shorter ones");
+            "eq. 13 diverged at -0.0299167 s with sub-steps of 1.98e-06 s; stiffness and damping "
+            "over mass require shorter ones");
 }
 
-TEST(Courses, ThatCannotBeAreRefusedWhereverTheyStand) {
+TEST(Courses, RefuseImpossibleValuesInAnyPlace) {
   std::vector<Course> courses = varied_courses(3, Defect::outer);
   courses[2].options.mass_kg = 0;
   EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("mass in kg 0"));
@@ -165,7 +165,7 @@ TEST(Courses, ThatCannotBeAreRefusedWhereverTheyStand) {
   EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("slip 1"));
 }
 
-TEST(Courses, OfTwoTimeGridsAreRefused) {
+TEST(Courses, RefuseDifferentTimeGrids) {
   std::vector<Course> courses = varied_courses(2, Defect::outer);
   courses[1].options.settling_s = 0.01;
   EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("differ in settling time"));
@@ -174,7 +174,7 @@ TEST(Courses, OfTwoTimeGridsAreRefused) {
   EXPECT_THAT(message_of(courses, Exit::bad_input), testing::HasSubstr("longest sub-step"));
 }
 
-TEST(Courses, OfNoBearingGiveNoSignal) {
+TEST(Courses, GiveNoSignalWithoutABearing) {
   EXPECT_TRUE(simulate({}, {}, std::span<const Course>(), sampling).empty());
 }
 

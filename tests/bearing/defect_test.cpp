@@ -15,14 +15,14 @@ using std::numbers::pi;
 
 constexpr double mil = 0.0254;  // mm
 
-TEST(Defect, DepthIsThePapersForEachOfItsThreeSizes) {
+TEST(Defect, HasThePapersDepthForItsThreeSizes) {
   EXPECT_NEAR(defect_depth_m({}, 7 * mil), 0.995e-6, 0.0005e-6);
   EXPECT_NEAR(defect_depth_m({}, 14 * mil), 3.98e-6, 0.005e-6);
   EXPECT_NEAR(defect_depth_m({}, 21 * mil), 8.97e-6, 0.005e-6);
   EXPECT_EQ(defect_depth_m({}, 0), 0);
 }
 
-TEST(Defect, HalfAngleHasTheDefectsLengthAsItsChord) {
+TEST(Defect, HasItsLengthAsChordOfTheAngle) {
   // A chord of length L under the angle 2 beta on a circle of diameter D: L = D sin(beta).
   EXPECT_NEAR(46.94 * std::sin(half_angle_rad({}, {Defect::outer, 0.5334})), 0.5334, 1e-12);
   EXPECT_NEAR(31.06 * std::sin(half_angle_rad({}, {Defect::inner, 0.5334})), 0.5334, 1e-12);
@@ -30,7 +30,7 @@ TEST(Defect, HalfAngleHasTheDefectsLengthAsItsChord) {
   EXPECT_EQ(half_angle_rad({}, {}), 0);
 }
 
-TEST(Defect, AnglesMeetAcrossZeroToo) {
+TEST(Defect, MeetsAnglesAcrossZero) {
   EXPECT_TRUE(meet(0.01, 2 * pi - 0.01, 0.03));
   EXPECT_TRUE(meet(2 * pi - 0.01, 0.01, 0.03));
   EXPECT_FALSE(meet(0.02, -0.02, 0.03));
@@ -44,7 +44,7 @@ TEST(Defect, WrappedAnglesLieWithinHalfATurn) {
   EXPECT_NEAR(wrapped(3), 3, 1e-14);
 }
 
-TEST(Defect, BallFacesARaceTwiceATurn) {
+TEST(Defect, OnABallFacesARaceTwicePerTurn) {
   for (const double centre : {pi / 2, 3 * pi / 2, -pi / 2, 2 * pi * 300 + pi / 2}) {
     EXPECT_TRUE(faces_a_race(centre + 0.019, 0.02));
     EXPECT_TRUE(faces_a_race(centre - 0.019, 0.02));
@@ -55,7 +55,7 @@ TEST(Defect, BallFacesARaceTwiceATurn) {
   EXPECT_FALSE(faces_a_race(pi, 0.02));
 }
 
-TEST(Defect, RefusesSizesThatCannotBe) {
+TEST(Defect, RefusesImpossibleSizes) {
   EXPECT_NO_THROW(validate({}, {Defect::none, 0}));
   EXPECT_NO_THROW(validate({}, {Defect::roller, 7.9}));
   EXPECT_THROW(validate({}, {Defect::none, 0.1}), Error);

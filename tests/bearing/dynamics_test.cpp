@@ -29,7 +29,7 @@ double relative_error(const std::vector<double>& x, const std::vector<double>& t
   return rms(difference) / rms(truth);
 }
 
-TEST(SubSteps, AreAsFewAsTheLongestStepAllows) {
+TEST(SubSteps, AreTheFewestForTheLongestStep) {
   EXPECT_EQ(sub_steps(12000, 2e-6).count, 42U);  // 83.3 us
   EXPECT_DOUBLE_EQ(sub_steps(12000, 2e-6).step_s, 1 / 12000.0 / 42);
   EXPECT_EQ(sub_steps(12000, 1).count, 1U);
@@ -42,7 +42,7 @@ TEST(Simulate, HealthyBearingStaysNearEquilibrium) {
   EXPECT_GT(rms(acceleration), 0.001);
 }
 
-TEST(Simulate, LargerDefectsAreLouder) {
+TEST(Simulate, LargerDefectsHaveALargerRms) {
   for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
     const double healthy = rms(simulate({}, {}, running, {}, {rate_hz, 6000}));
     const double small = rms(simulate({}, {fault_type, 0.1778}, running, {}, {rate_hz, 6000}));
@@ -52,7 +52,7 @@ TEST(Simulate, LargerDefectsAreLouder) {
   }
 }
 
-TEST(Simulate, SubStepsOfTwoMicrosecondsAreFineEnough) {
+TEST(Simulate, SubStepsOfTwoMicrosecondsSuffice) {
   const auto error = [](double max_sub_step_s) {
     const LocalDefect defect{Defect::outer, 0.1778};
     const Sampling sampling{rate_hz, 3000};
@@ -82,7 +82,7 @@ TEST(Simulate, AnglesHoldAtTheFirstSample) {
   EXPECT_LT(relative_error(part, rest), 0.01);  // rest of the initial transient
 }
 
-TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
+TEST(Simulate, AnAppearingDefectActsFromTheFirstImpact) {
   const LocalDefect defect{Defect::outer, 0.5334};
   Motion before_impact = running;  // a ball has just left the defect; the next comes after 8 ms
   before_impact.cage_angle_rad = 0.1;
@@ -101,7 +101,7 @@ TEST(Simulate, ADefectThatAppearsIsFeltFromTheFirstStrikeOn) {
   EXPECT_LT(relative_error(from(onset, 1200, 1200), from(always, 1200, 1200)), 1e-6);
 }
 
-TEST(Simulate, AllBallsAreAlikeUnlessOneIsFaulty) {
+TEST(Simulate, BallsAreEqualUnlessOneIsFaulty) {
   Motion next = running;
   next.cage_angle_rad += 2 * std::numbers::pi / 9;
   const auto error = [&next](const LocalDefect& defect) {
@@ -112,7 +112,7 @@ TEST(Simulate, AllBallsAreAlikeUnlessOneIsFaulty) {
   EXPECT_GT(error({Defect::roller, 0.1778}), 0.1);
 }
 
-TEST(Simulate, GivesTheSameTwice) {
+TEST(Simulate, IsReproducible) {
   const LocalDefect defect{Defect::roller, 0.1778};
   EXPECT_EQ(simulate({}, defect, running, {}, {rate_hz, 1200}),
             simulate({}, defect, running, {}, {rate_hz, 1200}));
@@ -135,7 +135,7 @@ TEST(Simulate, LoadMustCloseTheClearance) {
   EXPECT_EQ(refusal({.load_n = 201}), "no error");
 }
 
-TEST(Simulate, ContactIsThereUpToTheLargestStiffness) {
+TEST(Simulate, ContactHoldsUpToTheLargestStiffness) {
   DynamicsOptions options{.clearance_um = 4, .load_n = 600};
   options.stiffness_n_per_m = largest_stiffness_n_per_m(options);
   EXPECT_EQ(refusal(options), "no error");
@@ -161,7 +161,7 @@ TEST(Simulate, RefusesImpossibleValues) {
   }
 }
 
-TEST(Simulate, DivergenceIsAnError) {
+TEST(Simulate, ReportsDivergence) {
   // C / M = 1e7 per second: explicit steps of 2 us cannot follow.
   EXPECT_THAT(refusal({.damping_ns_per_m = 1e7}, Exit::failed), testing::HasSubstr("diverged at"));
 }

@@ -71,15 +71,15 @@ double oscillator_error(double max_sub_step_s) {
   return std::sqrt(difference / truth);
 }
 
-TEST(Solve, DampedOscillatorIsTheClosedForm) { EXPECT_LT(oscillator_error(2e-6), 1e-7); }
+TEST(Solve, MatchesTheClosedFormOfADampedOscillator) { EXPECT_LT(oscillator_error(2e-6), 1e-7); }
 
-TEST(Solve, IsOfFourthOrderWhereNothingJumps) {
+TEST(Solve, IsOfFourthOrderForSmoothForces) {
   const double interval_s = 1 / sampled_hz;
   const double ratio = oscillator_error(interval_s / 4) / oscillator_error(interval_s / 8);
   EXPECT_NEAR(ratio, 16, 2);
 }
 
-TEST(Solve, LeavesTheLastStateBehind) {
+TEST(Solve, ReturnsTheLastState) {
   State whole = released();
   const Solution all_samples = oscillation(whole, 0, 20, 2e-6);
   State halves = released();
@@ -91,7 +91,7 @@ TEST(Solve, LeavesTheLastStateBehind) {
   }
 }
 
-TEST(Solve, CountsTheSaneSamplesOfEachCourse) {
+TEST(Solve, CountsTheFiniteSamplesOfEachCourse) {
   LoadedBalls balls = any_balls();
   EquationOfMotion e = equation(mass_kg, damping_ns_per_m, stiffness_n_per_m, 0, load_n);
   e.damping_ns_per_m[0] = 1e7;  // over the mass 8e6 per second: steps of 2 us are too long

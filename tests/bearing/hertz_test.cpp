@@ -9,7 +9,7 @@
 namespace piae::bearing {
 namespace {
 
-TEST(Hertz, CurvaturesOfThe6205AreThoseWorkedByHand) {
+TEST(Hertz, CurvaturesOfThe6205MatchTheWorkedExample) {
   // By hand from Harris, eqs 2.28 to 2.31, with f = 0.525 and gamma = 7.94 / 39.
   const Curvature inner = inner_curvature({});
   EXPECT_NEAR(inner.sum_per_m, 328.3, 0.05);
@@ -19,7 +19,7 @@ TEST(Hertz, CurvaturesOfThe6205AreThoseWorkedByHand) {
   EXPECT_NEAR(outer.difference, 0.89159, 1e-5);
 }
 
-TEST(Hertz, DeformationOfThe6205IsThatWorkedByHand) {
+TEST(Hertz, DeformationOfThe6205MatchesTheWorkedExample) {
   EXPECT_NEAR(contact_deformation(inner_curvature({}).difference), 0.632, 0.0005);
   EXPECT_NEAR(contact_deformation(outer_curvature({}).difference), 0.693, 0.0005);
 }
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, HarrisTable,
                                          Row{0.93657, 0.6112}, Row{0.95738, 0.5551},
                                          Row{0.97290, 0.4960}, Row{0.983797, 0.4352}));
 
-TEST(Hertz, SphereOnPlaneIsTheTextbookFormula) {
+TEST(Hertz, SphereOnPlaneMatchesTheTextbookFormula) {
   // F = (4/3) E* sqrt(R) delta^1.5 with E* = E / (2 (1 - nu^2)), for two bodies of steel.
   const double radius = 0.01;
   const HertzOptions steel;
@@ -53,7 +53,7 @@ TEST(Hertz, SphereOnPlaneIsTheTextbookFormula) {
   EXPECT_NEAR(race_stiffness({2 / radius, 0}) / expected, 1, 1e-6);
 }
 
-TEST(Hertz, StiffnessIsThatOfBothContactsInSeries) {
+TEST(Hertz, StiffnessCombinesBothContactsInSeries) {
   EXPECT_NEAR(contact_stiffness({}), 8.58e9, 0.005e9);
   EXPECT_NEAR(contact_stiffness({}, {.groove_ratio = 0.52}), 9.26e9, 0.005e9);
 }
@@ -65,7 +65,7 @@ TEST(Hertz, SeriesCarriesOneForceThroughTwoDeformations) {
   EXPECT_NEAR(contact_stiffness({}) * std::pow(inner + outer, 1.5), force, 1e-9);
 }
 
-TEST(Hertz, RefusesMaterialsAndGroovesThatCannotBe) {
+TEST(Hertz, RefusesImpossibleMaterialsAndGrooves) {
   EXPECT_THROW(contact_stiffness({}, {.youngs_modulus_pa = 0}), Error);
   EXPECT_THROW(contact_stiffness({}, {.youngs_modulus_pa = std::nan("")}), Error);
   EXPECT_THROW(contact_stiffness({}, {.poissons_ratio = 0.6}), Error);

@@ -37,7 +37,7 @@ TEST(Kinematics, EveryBallPassesOneRaceOrTheOtherOncePerTurn) {
   EXPECT_NEAR(f.bpfo_hz + f.bpfi_hz, 9 * 20.0, 1e-9);
 }
 
-TEST(Kinematics, ContactAngleTakesPartByItsCosine) {
+TEST(Kinematics, ContactAngleActsByItsCosine) {
   Geometry g;
   g.contact_angle_deg = 60;  // cosine 1/2: like a bearing with balls of half the size
   Geometry half;
@@ -46,7 +46,7 @@ TEST(Kinematics, ContactAngleTakesPartByItsCosine) {
   EXPECT_NEAR(speeds(g, 1797).spin, speeds(half, 1797).spin / 2, 1e-9);
 }
 
-TEST(Kinematics, SlipTakesItsShareOfCageAndSpin) {
+TEST(Kinematics, SlipReducesCageAndSpinSpeed) {
   const Speeds rolling = speeds({}, 1797);
   const Speeds slipping = speeds({}, 1797, 0.02);
   EXPECT_DOUBLE_EQ(slipping.shaft, rolling.shaft);
@@ -61,7 +61,7 @@ TEST(Kinematics, SpinningBallRollsWithoutSlipOnTheFixedOuterRace) {
   EXPECT_NEAR(s.cage * 46.94 / 2, (s.spin * 7.94 / 2), 1e-9);
 }
 
-TEST(Kinematics, RefusesBearingsThatCannotBe) {
+TEST(Kinematics, RefusesImpossibleBearings) {
   const auto refused = [](void (*spoil)(Geometry&)) {
     Geometry g;
     spoil(g);

@@ -60,7 +60,7 @@ int entries(const LocalDefect& defect, const Motion& motion) {
   return entries;
 }
 
-TEST(LoadedBalls, OfAHealthyBearingFaceTheLoadAndSinkNowhere) {
+TEST(LoadedBalls, FaceTheLoadAndDoNotSinkInAHealthyBearing) {
   // Nine balls 40 degrees apart, the first 5 degrees ahead of the load.
   const auto balls = contacts({}, {.shaft_speed_rpm = 1797, .cage_angle_rad = pi / 36}, 0);
   ASSERT_EQ(balls.size(), 5U);
@@ -71,14 +71,14 @@ TEST(LoadedBalls, OfAHealthyBearingFaceTheLoadAndSinkNowhere) {
   }
 }
 
-TEST(LoadedBalls, BallsMoveWithTheCage) {
+TEST(LoadedBalls, MoveWithTheCage) {
   const Motion motion{.shaft_speed_rpm = 1797, .slip = 0.01};
   const double quarter_of_distance_s = 2 * pi / 9 / 4 / speeds({}, 1797, 0.01).cage;
   const auto balls = contacts({}, motion, quarter_of_distance_s);
   EXPECT_NEAR(balls[2].along, std::cos(10 * pi / 180), 1e-12);
 }
 
-TEST(LoadedBalls, BallSinksIntoTheDefectByItsDepth) {
+TEST(LoadedBalls, SinkIntoTheDefectByItsDepth) {
   for (const Defect fault_type : {Defect::outer, Defect::inner, Defect::roller}) {
     const double angle = fault_type == Defect::roller ? pi / 2 : 0;
     const auto balls =
@@ -90,7 +90,7 @@ TEST(LoadedBalls, BallSinksIntoTheDefectByItsDepth) {
   }
 }
 
-TEST(LoadedBalls, OnlyTheBallThatMeetsTheDefectSinks) {
+TEST(LoadedBalls, SinkOnlyAtTheDefect) {
   // The defect of the outer race is 40 degrees behind the load, where the ninth ball is.
   const auto balls = contacts({Defect::outer, 0.5334},
                               {.shaft_speed_rpm = 1797, .defect_angle_rad = -40 * pi / 180}, 0);
@@ -101,7 +101,7 @@ TEST(LoadedBalls, OnlyTheBallThatMeetsTheDefectSinks) {
   EXPECT_NEAR(balls[1].along, std::cos(40 * pi / 180), 1e-12);
 }
 
-TEST(LoadedBalls, CountsOfPassesAreTheFaultFrequencies) {
+TEST(LoadedBalls, PassAtTheFaultFrequencies) {
   const Motion motion{.shaft_speed_rpm = 1797, .cage_angle_rad = 0.3, .defect_angle_rad = 0};
   const FaultFrequencies f = fault_frequencies({}, 1797);
   EXPECT_NEAR(entries({Defect::outer, 0.5334}, motion), f.bpfo_hz, 1);
@@ -113,7 +113,7 @@ TEST(LoadedBalls, CountsOfPassesAreTheFaultFrequencies) {
 }
 
 /// Balls that enter the load zone within a turn and a half: rotations agree with angles.
-TEST(LoadedBalls, RotationsGoWhereAnglesGo) {
+TEST(LoadedBalls, RotateByTheSameAngles) {
   for (const int count : {3, 4, 8, 9, 20}) {
     Geometry geometry;
     geometry.balls = count;
@@ -144,14 +144,14 @@ TEST(LoadedBalls, RotationsGoWhereAnglesGo) {
   }
 }
 
-TEST(LoadedBalls, OneBallAtMostEntersInAStep) {
+TEST(LoadedBalls, EnterAtMostOnePerStep) {
   LoadedBalls balls = balls_of({}, {.shaft_speed_rpm = 1797});
   const double between_balls_s = 1 / fault_frequencies({}, 1797).bpfo_hz;
   EXPECT_NO_THROW(balls.set_step(0.99 * between_balls_s));
   EXPECT_THROW(balls.set_step(1.01 * between_balls_s), Error);
 }
 
-TEST(LoadedBalls, RefusesImpossibleMotion) {
+TEST(LoadedBalls, RefuseImpossibleMotion) {
   const auto make = [](const Motion& motion) { balls_of({}, motion); };
   EXPECT_NO_THROW(make({.shaft_speed_rpm = 1797}));
   EXPECT_THROW(make({.shaft_speed_rpm = 0}), Error);

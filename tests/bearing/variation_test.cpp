@@ -25,7 +25,7 @@ Moments moments(const std::vector<double>& x) {
   return {sum / n, std::sqrt(squares / n), std::ranges::min(x), std::ranges::max(x)};
 }
 
-TEST(Variation, StiffnessAndDampingAreNormalAndCut) {
+TEST(Variation, StiffnessAndDampingAreTruncatedNormal) {
   const Variation variation{.stiffness_spread = 0.1, .damping_spread = 0.3};
   const DynamicsOptions mean;
   Stream stream("test");
@@ -47,7 +47,7 @@ TEST(Variation, StiffnessAndDampingAreNormalAndCut) {
   EXPECT_GE(moments(c).lowest, 0.1);
 }
 
-TEST(Variation, AnglesFillTheTurnAndSlipItsRange) {
+TEST(Variation, AnglesAndSlipFillTheirRanges) {
   Stream stream("test");
   std::vector<double> cage;
   std::vector<double> defect;
@@ -86,7 +86,7 @@ TEST(Variation, WithoutSpreadDrawsTheMeans) {
 }
 
 /// 1e8 N/m plus three times 10 % of it, times 2 um.
-TEST(Variation, LargestLiftIsThatOfTheStiffestDraw) {
+TEST(Variation, LargestLiftBelongsToTheStiffestDraw) {
   EXPECT_NEAR(largest_lift_n({}, {.stiffness_spread = 0.1}), 260, 1e-9);
 }
 

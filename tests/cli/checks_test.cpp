@@ -7,7 +7,7 @@ namespace {
 
 bool accepts(const Check& check, const std::string& text) { return check.refusal(text).empty(); }
 
-TEST(Checks, AcceptWhatTheySay) {
+TEST(Checks, AcceptTheirRange) {
   EXPECT_TRUE(accepts(positive_number(), "5e-4"));
   EXPECT_FALSE(accepts(positive_number(), "0"));
   EXPECT_FALSE(accepts(positive_number(), "-1"));
@@ -28,7 +28,7 @@ TEST(Checks, AcceptWhatTheySay) {
   EXPECT_FALSE(accepts(one_of({"best", "final"}), "Final"));
 }
 
-TEST(Checks, RefuseWhatIsNotAFiniteNumber) {
+TEST(Checks, RefuseNonFiniteNumbers) {
   for (const std::string text : {"nan", "inf", "-inf", "many", "", "1e999", "1 ", "1,5", "0x10"}) {
     for (const Check& check : {positive_number(), non_negative_number(), share(), natural_number(),
                                whole_number(-100, 100)}) {
@@ -37,12 +37,12 @@ TEST(Checks, RefuseWhatIsNotAFiniteNumber) {
   }
 }
 
-TEST(Checks, SayWhatWouldDo) {
+TEST(Checks, DescribeTheirRange) {
   EXPECT_EQ(within({.low = 0, .high = 60, .unit = " dB"}).refusal("61"),
             "'61' is not a number from 0 to 60 dB");
   EXPECT_EQ(positive_number().refusal("-1"), "'-1' is not a positive number");
   EXPECT_EQ(whole_number(1, 32).refusal("40"), "'40' is not a whole number from 1 to 32");
-  EXPECT_EQ(one_of({"best", "final"}).refusal("worst"), "'worst' is none of: best, final");
+  EXPECT_EQ(one_of({"best", "final"}).refusal("worst"), "'worst' is not one of: best, final");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace piae::cli {
 namespace {
 
-TEST(Progress, TheRestTakesAsLongAsAsMuchHasTaken) {
+TEST(Progress, EstimatesTheRestFromTheMeanSpeed) {
   EXPECT_EQ(seconds_left(0, 20, 100, 5), 20);
   // A run that continues at 40 has taken 5 s from there.
   EXPECT_EQ(seconds_left(40, 60, 100, 5), 10);

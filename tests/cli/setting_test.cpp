@@ -21,14 +21,14 @@ std::string refusal(const std::string& name, const std::string& value) {
   return refusal_of(bind, name, value);
 }
 
-TEST(Setting, IsAnOptionWithAValueThatItTakes) {
+TEST(Setting, IsAnOptionWithAValidValue) {
   EXPECT_EQ(refusal("size", "2e-3"), "");
   EXPECT_EQ(refusal("shape", "flat"), "");
   EXPECT_EQ(refusal("weight", "2"), "there is no option --weight");
   EXPECT_EQ(refusal("help", "2"), "there is no option --help");
   EXPECT_THAT(refusal("size", "0"), HasSubstr("'0' is not a positive number"));
   EXPECT_THAT(refusal("size", "2+shape=flat"), HasSubstr("--size"));
-  EXPECT_THAT(refusal("shape", "square"), HasSubstr("'square' is none of: round, flat"));
+  EXPECT_THAT(refusal("shape", "square"), HasSubstr("'square' is not one of: round, flat"));
 }
 
 }  // namespace

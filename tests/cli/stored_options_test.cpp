@@ -44,7 +44,7 @@ artefact::Reader stored(Paint paint) {
   return {scratch_file("paint.h5"), "model"};
 }
 
-TEST(StoredOptions, AreReadAsTheyWereGiven) {
+TEST(StoredOptions, AreReadBack) {
   const artefact::Reader reader =
       stored(paint_of("--paint-from green --thick-from-mm 0.5 --coats 5"));
   EXPECT_EQ(reader.text("/colour", "hue"), "green");
@@ -57,7 +57,7 @@ TEST(StoredOptions, AreReadAsTheyWereGiven) {
   EXPECT_EQ(read.coats, 5);
 }
 
-TEST(StoredOptions, AreRefusedByTheirRules) {
+TEST(StoredOptions, AreRefusedOutsideTheirRules) {
   EXPECT_THROW(paint_of("--paint-from blue"), Refused);
   EXPECT_THROW(paint_of("--thick-to-mm 11"), Refused);
   EXPECT_THROW(paint_of("--coats 0"), Refused);
@@ -70,13 +70,13 @@ TEST(StoredOptions, AreRefusedByTheirRules) {
   writer.attribute("/colour", "hue", std::string("blue"));
   writer.save(scratch_file("blue.h5"), {});
   EXPECT_ERROR(table_of(read).read({scratch_file("blue.h5"), "model"}), Exit::bad_input,
-               "/colour, attribute hue is blue, must be red or green");
+               "/colour, attribute hue is blue; it must be red or green");
 }
 
-TEST(StoredOptions, HaveNoRangeThatEndsBeforeItBegins) {
+TEST(StoredOptions, RefuseReversedRanges) {
   Paint reversed{.thin_mm = 3, .thick_mm = 2};
   EXPECT_ERROR(table_of(reversed).require_order(), Exit::usage,
-               "--thick-from-mm is above --thick-to-mm; it must not be");
+               "--thick-from-mm must not be above --thick-to-mm");
   EXPECT_ERROR(table_of(reversed).read(stored(reversed)), Exit::bad_input,
                "/layers, attribute thick_from_mm is above thick_to_mm");
   Paint equal{.thin_mm = 2, .thick_mm = 2};

@@ -9,7 +9,7 @@
 namespace piae::cli {
 namespace {
 
-TEST(TomlAdvice, AWordWithoutQuotesIsShownWithThem) {
+TEST(TomlAdvice, QuotesAWordWithoutQuotes) {
   EXPECT_EQ(toml_advice("name = rig"), "name is a text without quotes; write \"rig\"");
   EXPECT_EQ(toml_advice("name = true_rig # ours"),
             "name is a text without quotes; write \"true_rig\"");
@@ -21,22 +21,22 @@ TEST(TomlAdvice, AWordWithoutQuotesIsShownWithThem) {
             "known has outer without quotes; write \"outer\"");
 }
 
-TEST(TomlAdvice, OtherUsualSlipsAreNamed) {
+TEST(TomlAdvice, NamesOtherCommonErrors) {
   EXPECT_EQ(toml_advice("size = 1,5"), "size has a decimal comma; write 1.5");
   EXPECT_EQ(toml_advice("rate = 12 kHz"),
-            "rate has something behind the number; leave it out, or write a text in quotes, "
+            "rate has something after the number; remove it, or write a text in quotes, "
             "\"12 kHz\"");
   EXPECT_EQ(toml_advice("name ="), "name has no value");
   EXPECT_EQ(toml_advice("name = “rig”"), "name has curly quotes; write straight ones, \"...\"");
   EXPECT_EQ(toml_advice("file = \"C:\\data\""),
-            "file has a backslash in the text; write it between single quotes, '...', or / in its "
-            "place");
+            "file has a backslash in the text; write it between single quotes, '...', or replace "
+            "it by /");
   EXPECT_EQ(toml_advice("name = \"rig"),
-            "name has a text in quotes that does not end, or something behind it");
+            "name has a text in quotes without an end, or something after it");
   EXPECT_EQ(toml_advice("name: rig"), "has no equals sign; a line is KEY = VALUE");
 }
 
-TEST(TomlAdvice, IsNotGivenWhereTheValueIsRight) {
+TEST(TomlAdvice, IsEmptyForValidValues) {
   EXPECT_EQ(toml_advice("name = \"a # b\""), "");
   EXPECT_EQ(toml_advice("balls = 9"), "");
   EXPECT_EQ(toml_advice("[bearing"), "");
@@ -44,7 +44,7 @@ TEST(TomlAdvice, IsNotGivenWhereTheValueIsRight) {
   EXPECT_EQ(toml_advice(""), "");
 }
 
-TEST(TomlAdvice, StandsInTheLineOfTheFile) {
+TEST(TomlAdvice, NamesTheLineOfTheFile) {
   const Folder folder;
   EXPECT_ERROR(parse_toml_file(folder.write("a.toml", "a = 1\n\nname = rig\n")), Exit::bad_input,
                "a.toml, line 3: not valid TOML: name is a text without quotes; write \"rig\"");

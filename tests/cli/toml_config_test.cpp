@@ -45,7 +45,7 @@ TEST(TomlConfig, ReadsTheProgramsOwnTable) {
 
 TEST(TomlConfig, ReadsFromTheTopWithoutATable) { EXPECT_EQ(parse("epochs = 20\n").epochs, 20); }
 
-TEST(TomlConfig, TheVariantsTableWinsOverThePrograms) {
+TEST(TomlConfig, PrefersTheTableOfTheVariant) {
   const std::string toml =
       "[train]\nepochs = 20\nrate = 0.1\n[train.vae]\nepochs = 30\n[train.ae]\nepochs = 4\n";
   EXPECT_EQ(parse(toml).epochs, 20);
@@ -54,7 +54,7 @@ TEST(TomlConfig, TheVariantsTableWinsOverThePrograms) {
   EXPECT_EQ(parse(toml, "smote").epochs, 20);
 }
 
-TEST(TomlConfig, AVariantStandsOnTopOfTheOneThatItIsLike) {
+TEST(TomlConfig, CompletesAVariantFromAnotherOne) {
   const std::string toml =
       "[train]\nepochs = 20\nrate = 0.1\n[train.ae]\nlike = \"vae\"\nepochs = 4\n"
       "[train.vae]\nepochs = 30\nrate = 0.2\n";
@@ -63,7 +63,7 @@ TEST(TomlConfig, AVariantStandsOnTopOfTheOneThatItIsLike) {
   EXPECT_EQ(parse(toml, "vae").epochs, 30);
 }
 
-TEST(TomlConfig, RefusesToBeLikeWhatHasNoTableOfItsOwn) {
+TEST(TomlConfig, RefusesLikeWithoutATable) {
   const std::string toml =
       "[train.ae]\nlike = \"vae\"\n[train.cnn]\nlike = \"ae\"\n[train.rnn]\nlike = 3\n";
   for (const std::string variant : {"ae", "cnn", "rnn"}) {
@@ -71,7 +71,7 @@ TEST(TomlConfig, RefusesToBeLikeWhatHasNoTableOfItsOwn) {
   }
 }
 
-TEST(TomlConfig, TheCommandLineWinsOverTheFile) {
+TEST(TomlConfig, PrefersTheCommandLineToTheFile) {
   EXPECT_EQ(parse("[train]\nepochs = 20\n", "", {"--epochs", "5"}).epochs, 5);
 }
 

@@ -15,18 +15,18 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
-TEST(TomlFile, IsReadWhole) {
+TEST(TomlFile, IsReadCompletely) {
   const Folder folder;
   EXPECT_EQ(parse_toml_file(folder.write("a.toml", "[a.b]\nc = 3\n"))["a"]["b"]["c"], 3);
 }
 
-TEST(TomlFile, ThatIsWrongIsOneLineWithItsPlace) {
+TEST(TomlFile, ReportsErrorsInOneLineWithTheirPlace) {
   const Folder folder;
   EXPECT_ERROR(parse_toml_file(folder.write("a.toml", "a = 1\nb = \n")), Exit::bad_input,
                "a.toml, line 2: not valid TOML: ");
 }
 
-TEST(TomlFile, ThatNestsTablesWithoutEndIsRefused) {
+TEST(TomlFile, IsRefusedIfNestedTooDeeply) {
   const Folder folder;
   const auto refused = [&](const std::string& text) {
     EXPECT_ERROR(parse_toml_file(folder.write("a.toml", text)), Exit::bad_input, "a.toml, line ");
@@ -41,13 +41,13 @@ TEST(TomlFile, ThatNestsTablesWithoutEndIsRefused) {
       folder.write("a.toml", "[" + most + "]\n" + most + " = [\n{" + most + " = 1}]\n")));
 }
 
-TEST(TomlFile, ThatIsHugeIsRefused) {
+TEST(TomlFile, IsRefusedIfHuge) {
   const Folder folder;
   EXPECT_ERROR(parse_toml_file(folder.write("a.toml", repeated("# a comment\n", 100'000))),
                Exit::bad_input, "a.toml: is larger than 1 MB");
 }
 
-TEST(TomlFile, ThatIsAPipeIsNotWaitedFor) {
+TEST(TomlFile, IsRefusedIfAPipe) {
   const Folder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe.toml").c_str(), 0600), 0);
   EXPECT_ERROR(parse_toml_file(folder / "pipe.toml"), Exit::input_missing, "not a file");

@@ -21,7 +21,7 @@ std::pair<double, double> used_now() {
   return {std::stod(numbers[1]), std::stod(numbers[2])};
 }
 
-TEST(Usage, CountsTheMemoryThatWasHeldAtMost) {
+TEST(Usage, MeasuresThePeakMemory) {
   const double before_mb = used_now().second;
   constexpr std::size_t bytes = 64'000'000;
   EXPECT_EQ(std::vector<char>(bytes, 1).back(), 1);
@@ -29,12 +29,12 @@ TEST(Usage, CountsTheMemoryThatWasHeldAtMost) {
   EXPECT_GE(used_now().second, 64);
 }
 
-TEST(Usage, CountsProcessorTimeUpwards) {
+TEST(Usage, MeasuresProcessorTime) {
   const double before_s = used_now().first;
   EXPECT_GE(used_now().first, before_s);
 }
 
-TEST(Usage, CountsWhatItsProgramsHaveUsed) {
+TEST(Usage, IncludesChildProcesses) {
   const double before_s = used_now().first;
   const pid_t child = ::fork();
   if (child == 0) {

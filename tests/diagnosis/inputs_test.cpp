@@ -93,9 +93,9 @@ TEST(Inputs, WithoutGeneratedWindowsTheMethodIsNone) {
 }
 
 TEST(Inputs, RefusesFilesInEachOthersPlace) {
-  expect_refused("has role B, needed is A", b, b, c, e);
-  expect_refused("has role A, needed is C", a, b, a, e);
-  expect_refused("has role C, needed is E", a, b, c, c);
+  expect_refused("has role B, but must have role A", b, b, c, e);
+  expect_refused("has role A, but must have role C", a, b, a, e);
+  expect_refused("has role C, but must have role E", a, b, c, c);
 }
 
 TEST(Inputs, RefusesFilesOfDifferentSplits) {

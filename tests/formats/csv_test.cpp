@@ -11,7 +11,7 @@
 namespace piae::formats {
 namespace {
 
-TEST(ExportedCsv, HasALineAWindow) {
+TEST(ExportedCsv, HasOneLinePerWindow) {
   const std::string expected =
       "dataset,role,method,sample_rate_hz,unit_m_per_s2,window,class_name,defect,defect_size_mm,"
       "shaft_speed_rpm,condition,k_n_per_m,c_ns_per_m,start_angle_rad,parents,strikes_s,x0,x1\n"
@@ -22,14 +22,14 @@ TEST(ExportedCsv, HasALineAWindow) {
   EXPECT_EQ(csv(exported_windows()), expected);
 }
 
-TEST(ExportedCsv, OfLabelsHasTheSameWithoutSamples) {
+TEST(ExportedCsv, LabelsHaveTheSameColumnsWithoutSamples) {
   const std::string text = labels_csv(exported_windows());
   EXPECT_EQ(text.find(",x0"), text.npos);
   EXPECT_NE(text.find("\nrig,E,smote,12000,9.80665,3,OR,outer,0.5,900,900 rpm,0,2,3,12,0.00015\n"),
             text.npos);
 }
 
-TEST(ExportedCsv, IsReadByTheReaderOfRecordingsToTheLastBit) {
+TEST(ExportedCsv, IsReadBackExactlyByTheRecordingReader) {
   const Folder folder;
   const signal::WindowSet windows = four_windows();
   const auto file = folder.write("E.csv", csv(exported_windows()));

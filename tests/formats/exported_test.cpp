@@ -27,7 +27,7 @@ std::vector<std::string> names_of(const std::vector<Fact>& facts) {
   return names;
 }
 
-TEST(Select, TakesTheFirstOfTheClassesThatAreNamed) {
+TEST(Select, TakesTheFirstWindowsOfTheNamedClasses) {
   EXPECT_THAT(select(four_windows(), {}, 0).rows, ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(select(four_windows(), {}, 1).rows, ElementsAre(0, 2));
   EXPECT_THAT(select(four_windows(), {"OR"}, 0).rows, ElementsAre(2, 3));
@@ -37,7 +37,7 @@ TEST(Select, TakesTheFirstOfTheClassesThatAreNamed) {
   EXPECT_THAT(one.windows.start_angle_rad, ElementsAre(6.25));
 }
 
-TEST(Select, SaysWhichClassesThereAre) {
+TEST(Select, ListsTheClassesIfOneIsUnknown) {
   EXPECT_ERROR(select(four_windows(), {"OR", "XR"}, 0), Exit::usage,
                "--class XR: the data set rig has no such class; it has healthy, IR, OR");
   EXPECT_ERROR(select(four_windows(), {"healthy"}, 0), Exit::bad_input, "no window of healthy");
@@ -47,7 +47,7 @@ TEST(Select, SaysWhichClassesThereAre) {
   EXPECT_ERROR(select(none, {}, 0), Exit::bad_input, "holds no window");
 }
 
-TEST(Facts, SayWhatIsKnownOfEachWindow) {
+TEST(Facts, HoldTheKnownValuesOfEachWindow) {
   const Facts facts = facts_of(exported_windows());
   EXPECT_THAT(values_of<Texts>(facts.of_all, "dataset"), ElementsAre("rig"));
   EXPECT_THAT(values_of<Texts>(facts.of_all, "role"), ElementsAre("E"));
@@ -70,7 +70,7 @@ TEST(Facts, SayWhatIsKnownOfEachWindow) {
   EXPECT_EQ(values_of<Lists>(each, "strikes_s"), four_windows().impact_times_s);
 }
 
-TEST(Facts, LeaveOutWhatIsNotKnown) {
+TEST(Facts, LeaveOutUnknownValues) {
   signal::WindowSet cut = four_windows();
   cut.parameters.clear();
   cut.condition.clear();

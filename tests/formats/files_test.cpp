@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(ExportedFiles, AreOfTheFormatThatTheEndingSays) {
+TEST(ExportedFiles, HaveTheFormatOfTheirEnding) {
   EXPECT_THAT(paths_of("a/E.csv"), ElementsAre("a/E.csv"));
   EXPECT_THAT(paths_of("E.mat"), ElementsAre("E.mat"));
   EXPECT_THAT(paths_of("a/E.npy"), ElementsAre("a/E.npy", "a/E.labels.csv"));
@@ -29,9 +29,9 @@ TEST(ExportedFiles, AreOfTheFormatThatTheEndingSays) {
   EXPECT_EQ(files.back().text, labels_csv(exported_windows()));
 }
 
-TEST(ExportedFiles, HaveAnEndingThatIsKnown) {
+TEST(ExportedFiles, MustHaveAKnownEnding) {
   for (const char* path : {"E.xlsx", "E", "E.CSV", "folder.csv/"}) {
-    EXPECT_ERROR(paths_of(path), Exit::usage, ".csv, .mat, .npy and .wav");
+    EXPECT_ERROR(paths_of(path), Exit::usage, ".csv, .mat, .npy or .wav");
   }
 }
 

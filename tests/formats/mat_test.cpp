@@ -73,7 +73,7 @@ TEST_F(ExportedMat, HoldsNumbersAndListsAndTexts) {
   EXPECT_EQ(text_of(*read_variable(file, "method")), "smote");
 }
 
-TEST_F(ExportedMat, IsReadByTheReaderOfRecordings) {
+TEST_F(ExportedMat, IsReadByTheRecordingReader) {
   EXPECT_THAT(raw::read_mat(file, "start_angle_rad"), ElementsAre(0, 1.5, 6.25, 3));
   const auto one = folder.write("one.mat", mat(select(four_windows(), {"IR"}, 1)));
   EXPECT_THAT(raw::read_mat(one, "windows"), ElementsAre(0.1F, -2));

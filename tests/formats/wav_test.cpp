@@ -52,7 +52,7 @@ TEST(Wav, HoldsTheSamplesAsFloatsOfOneChannel) {
   EXPECT_EQ(samples, four_windows().samples);
 }
 
-TEST(Wav, MarksWhereEachWindowBegins) {
+TEST(Wav, MarksTheStartOfEachWindow) {
   std::map<std::string, std::string> chunks;
   for (const auto& [name, content] : chunks_of(wav(select(four_windows(), {"OR"}, 0)), 12)) {
     chunks[name] = content;

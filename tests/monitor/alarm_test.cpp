@@ -34,7 +34,7 @@ TEST(Alarm, IsRaisedAtTheThresholdAndClearedAtZero) {
   EXPECT_EQ(states("1111110000"), "ffannnnnlf");  // a long alarm takes no longer to clear
 }
 
-TEST(Alarm, StaysAsItIsBetweenTheTwo) {
+TEST(Alarm, KeepsItsStateBetweenThresholdAndZero) {
   EXPECT_EQ(states("10101010"), "ffffffff");
   EXPECT_EQ(states("11010101"), "ffffffff");
   EXPECT_EQ(states("11100101011"), "ffannnnnnnn");
@@ -51,7 +51,7 @@ TEST(Alarm, WeighsAWindowByHowFaultyItLooks) {
   EXPECT_NEAR(alarm.evidence(), 1.5 / 3, 1e-12);
 }
 
-TEST(Alarm, NeedsAsManyWindowsAsItSays) {
+TEST(Alarm, NeedsTheDocumentedNumberOfWindows) {
   const Alarm alarm(even, windows_an_hour);
   EXPECT_NEAR(alarm.windows_to_alarm(1), 3, 1e-12);
   EXPECT_NEAR(alarm.windows_to_alarm(0.75), 6, 1e-12);
@@ -59,7 +59,7 @@ TEST(Alarm, NeedsAsManyWindowsAsItSays) {
 }
 
 /// Windows of 1024 samples at 12 kHz. The target is an alarm within 10 s of a defect.
-TEST(Alarm, IsQuickEnoughByDefault) {
+TEST(Alarm, IsFastByDefault) {
   constexpr double windows_per_s = 12000.0 / 1024;
   const AlarmOptions defaults;
   const Alarm alarm(defaults, 3600 * windows_per_s);
@@ -70,7 +70,7 @@ TEST(Alarm, IsQuickEnoughByDefault) {
 /// Counts alarms in 200 stretches of the mean time between false alarms, in windows. The share of
 /// faulty-looking windows is the highest that a healthy machine may have, so far fewer than 200 are
 /// likely.
-TEST(Alarm, KeepsItsPromiseOfFewFalseAlarms) {
+TEST(Alarm, HasAsFewFalseAlarmsAsRequested) {
   Stream random("alarm");
   const AlarmOptions options{.healthy_share = 0.1, .faulty_share = 0.5, .hours_per_false_alarm = 1};
   constexpr std::size_t windows = 2000;
@@ -87,7 +87,7 @@ TEST(Alarm, KeepsItsPromiseOfFewFalseAlarms) {
   EXPECT_GT(alarms_at(0.4), 200U);  // the test detects too many alarms
 }
 
-TEST(Alarm, RefusesSharesTheWrongWayRound) {
+TEST(Alarm, RefusesSwappedShares) {
   EXPECT_ERROR(Alarm({.healthy_share = 0.5, .faulty_share = 0.5}, 64), Exit::usage,
                "--healthy-share 0.5 must be below --faulty-share 0.5");
 }

@@ -40,13 +40,13 @@ std::string read_on(Input& input) {
   }
 }
 
-TEST(Input, AFileEndsWhereItEnds) {
+TEST(Input, ReadsAFileToItsEnd) {
   const Folder folder;
   Input input(folder.write("raw", "abcdefghij"), false);
   EXPECT_EQ(read_on(input), "abcdefghij.");
 }
 
-TEST(Input, AFileThatGrowsIsFollowed) {
+TEST(Input, FollowsAGrowingFile) {
   const Folder folder;
   const fs::path file = folder.write("raw", "abcdef");
   Input input(file, true);
@@ -56,7 +56,7 @@ TEST(Input, AFileThatGrowsIsFollowed) {
   EXPECT_EQ(read_on(input), "");
 }
 
-TEST(Input, AFollowedFileThatIsCutBeginsAnew) {
+TEST(Input, RestartsATruncatedFile) {
   const Folder folder;
   const fs::path file = folder.write("raw", "abcdef");
   Input input(file, true);
@@ -65,7 +65,7 @@ TEST(Input, AFollowedFileThatIsCutBeginsAnew) {
   EXPECT_EQ(read_on(input), "|gh");
 }
 
-TEST(Input, AFollowedFileThatIsReplacedIsReadToItsEndFirst) {
+TEST(Input, ReadsAReplacedFileToItsEndFirst) {
   const Folder folder;
   const fs::path file = folder.write("raw", "abc");
   Input input(file, true);
@@ -77,7 +77,7 @@ TEST(Input, AFollowedFileThatIsReplacedIsReadToItsEndFirst) {
   EXPECT_EQ(read_on(input), "|fghij");
 }
 
-TEST(Input, APipeEndsWhereItsWriterClosesIt) {
+TEST(Input, ReadsAPipeUntilItsWriterClosesIt) {
   const Folder folder;
   const fs::path pipe = folder / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -87,7 +87,7 @@ TEST(Input, APipeEndsWhereItsWriterClosesIt) {
   EXPECT_EQ(read_on(input), "abcdef.");
 }
 
-TEST(Input, RefusesWhatHoldsNoStream) {
+TEST(Input, RefusesInputsWithoutAStream) {
   const Folder folder;
   EXPECT_ERROR(Input(folder / "none", false), Exit::input_missing, "none: No such file");
   EXPECT_ERROR(Input(folder.path(), false), Exit::input_missing, "is a folder");

@@ -26,11 +26,11 @@ std::vector<Decision> judged(const std::string& windows, double every_s) {
   return decisions;
 }
 
-TEST(Judge, DecidesAtEveryWindowWhereAsked) {
+TEST(Judge, DecidesAtEveryWindowIfRequested) {
   EXPECT_EQ(text_of(judged("hio", 0)), "0.50 Normal off; 1.00 IR off; 1.50 OR off; ");
 }
 
-TEST(Judge, DecidesEverySoOftenAndAtTheEnd) {
+TEST(Judge, DecidesAtIntervalsAndAtTheEnd) {
   EXPECT_EQ(text_of(judged("hhhhh", 1)), "1.00 Normal off; 2.00 Normal off; 2.50 Normal off; ");
   EXPECT_EQ(text_of(judged("hhhhh", 0.7)),
             "1.00 Normal off; 1.50 Normal off; 2.50 Normal off; ");  // at 1.0, 1.5 (1.4), 2.5 (2.1)
@@ -39,7 +39,7 @@ TEST(Judge, DecidesEverySoOftenAndAtTheEnd) {
   EXPECT_EQ(decisions[2].windows, 1U);
 }
 
-TEST(Judge, TellsTheMeanOfTheWindows) {
+TEST(Judge, ReportsTheMeanOfTheWindows) {
   const auto decisions = judged("ihpp", 1);
   ASSERT_EQ(decisions.size(), 2U);
   EXPECT_NEAR(decisions[0].probability, 0.5, 1e-6);
@@ -47,24 +47,24 @@ TEST(Judge, TellsTheMeanOfTheWindows) {
   EXPECT_EQ(decisions[1].label, 0);
 }
 
-TEST(Judge, TellsAnAlarmAtOnceAndWhatItIsFor) {
+TEST(Judge, ReportsAnAlarmAndItsClassAtOnce) {
   EXPECT_EQ(text_of(judged("hooohhhh", 100)),
             "2.00 OR raised OR; 3.50 Normal cleared; 4.00 Normal off; ");
   EXPECT_EQ(text_of(judged("iii", 100)), "1.50 IR raised IR; ");
   EXPECT_EQ(text_of(judged("iiioooo", 2)), "1.50 IR raised IR; 2.00 OR on IR; 3.50 OR on OR; ");
 }
 
-TEST(Judge, TakesTheUnknownAndTheSilentForFaulty) {
+TEST(Judge, CountsUnknownAndSilentWindowsAsFaulty) {
   EXPECT_EQ(text_of(judged("uuu", 100)), "1.50 Normal? raised unknown; ");
   EXPECT_EQ(text_of(judged("sss", 100)), "1.50 -? raised unknown; ");
   EXPECT_EQ(text_of(judged("uhs", 100)), "1.50 Normal? off; ");
 }
 
-TEST(Judge, TellsTheUnknownOfItsOwnWindowsAlone) {
+TEST(Judge, ReportsUnknownOnlyForItsOwnWindows) {
   EXPECT_EQ(text_of(judged("uuhhuh", 1)), "1.00 Normal? off; 2.00 Normal off; 3.00 Normal off; ");
 }
 
-TEST(Judge, CountsWhatItHeard) {
+TEST(Judge, CountsWindowsAndAlarms) {
   Judge judge(rig(), Alarm(three_windows, 64), 1);
   const std::vector<float> faulty{0, 1, 0};
   for (int i = 0; i < 3; ++i) (void)judge.add({1, faulty, i == 0});

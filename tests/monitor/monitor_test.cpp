@@ -70,7 +70,7 @@ Watched watched(const std::vector<float>& signal, const MonitorOptions& options,
   return watched;
 }
 
-TEST(Monitor, SaysTheSameHoweverTheStreamIsCut) {
+TEST(Monitor, DoesNotDependOnThePiecesOfTheStream) {
   std::vector<float> signal;
   append_wave(signal, -1, 450);
   append_wave(signal, 2, 500);
@@ -96,7 +96,7 @@ TEST(Monitor, ResamplesAFasterStream) {
   }
 }
 
-TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
+TEST(Monitor, CutsNoWindowAcrossNonFiniteSamples) {
   std::vector<float> signal;
   append_wave(signal, -1, 150);
   signal.insert(signal.end(), 30, std::numeric_limits<float>::quiet_NaN());
@@ -112,7 +112,7 @@ TEST(Monitor, NoWindowSpansSamplesThatAreNotFinite) {
 }
 
 /// Windows hold 32-bit floats, and resampled samples may exceed the original ones.
-TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
+TEST(Monitor, CutsNoWindowAcrossHugeSamples) {
   for (const double rate_hz : {1000.0, 3000.0}) {
     std::vector<double> signal;
     for (std::size_t i = 0; i < 6000; ++i) signal.push_back(i % 7 == 0 ? 1 : -1);
@@ -143,7 +143,7 @@ TEST(Monitor, NoWindowSpansSamplesTooLargeForIt) {
 }
 
 /// Each line takes the time of one sample, whatever its text.
-TEST(Monitor, NoWindowSpansALineThatIsNotANumber) {
+TEST(Monitor, CutsNoWindowAcrossInvalidLines) {
   std::string text = "time\n";
   for (int i = 1; i < 450; ++i) {
     text += i == 130 ? "4.2.3\n" : i == 131 ? "nan\n" : i % 2 == 0 ? "+1.5\n" : "-1.75\n";
@@ -160,7 +160,7 @@ TEST(Monitor, NoWindowSpansALineThatIsNotANumber) {
   EXPECT_EQ(monitor.decoder().text().garbled(), 2U);
 }
 
-TEST(Monitor, NoWindowSpansABreak) {
+TEST(Monitor, CutsNoWindowAcrossABreak) {
   std::vector<float> signal;
   append_wave(signal, -1, 150);
   Monitor monitor(rig(), window_length, by_mean, options_at(1000), "raw");
@@ -174,7 +174,7 @@ TEST(Monitor, NoWindowSpansABreak) {
   EXPECT_EQ(text_of(decisions), "0.10 Normal off; 0.24 Normal off; ");
 }
 
-TEST(Monitor, ASilentSensorIsNotHealthy) {
+TEST(Monitor, ReportsASilentSensorAsNotHealthy) {
   const std::vector<float> dead(400, 0.25F);
   const Watched all = watched(dead, options_at(1000), 1000);
   EXPECT_EQ(text_of(all.decisions),
@@ -182,7 +182,7 @@ TEST(Monitor, ASilentSensorIsNotHealthy) {
   EXPECT_EQ(all.silent, 4U);
 }
 
-TEST(Monitor, AStrangeWindowIsUnknown) {
+TEST(Monitor, ReportsANovelWindowAsUnknown) {
   std::vector<float> signal;
   append_wave(signal, 20, 300);
   EXPECT_EQ(text_of(watched(signal, options_at(1000), 1000).decisions),
@@ -190,7 +190,7 @@ TEST(Monitor, AStrangeWindowIsUnknown) {
 }
 
 /// Fault lines depend on the shaft's own speed, not on the data set's.
-TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
+TEST(Monitor, PassesTheShaftSpeedToTheClassifier) {
   signal::DatasetInfo slower = rig();
   slower.conditions = {{.name = "fast", .shaft_speed_rpm = 1500},
                        {.name = "slow", .shaft_speed_rpm = 1200}};
@@ -213,7 +213,7 @@ TEST(Monitor, TheClassifierIsToldTheSpeedOfTheShaft) {
   EXPECT_EQ(conditions, (std::vector<std::int32_t>(2, signal::every_condition)));
 }
 
-TEST(Monitor, ManyWindowsAtOnceAreJudgedInTheirOrder) {
+TEST(Monitor, JudgesManyWindowsInOrder) {
   std::vector<float> signal;
   for (int i = 0; i < 200; ++i) append_wave(signal, i % 4 == 0 ? 2 : -1, window_length);
   const auto all = watched(signal, options_at(1000), signal.size() * sizeof(float)).decisions;

@@ -5,7 +5,7 @@
 namespace piae::monitor {
 namespace {
 
-TEST(SampleClock, TellsByHowMuchSamplesAreLate) {
+TEST(SampleClock, MeasuresTheDelayOfSamples) {
   SampleClock clock(100, 1);
   EXPECT_EQ(clock.late_by(50, 100), 0);  // the first clock time is arbitrary
   EXPECT_EQ(clock.late_by(51, 200), 0);
@@ -17,7 +17,7 @@ TEST(SampleClock, TellsByHowMuchSamplesAreLate) {
   EXPECT_NEAR(clock.all_s(), 5.5, 0.01);
 }
 
-TEST(SampleClock, WhatCatchesUpIsMeasuredAnew) {
+TEST(SampleClock, ResetsWhenSamplesCatchUp) {
   SampleClock clock(100, 1);
   clock.late_by(0, 0);
   EXPECT_NEAR(clock.late_by(5, 0), 5, 0.01);
@@ -26,7 +26,7 @@ TEST(SampleClock, WhatCatchesUpIsMeasuredAnew) {
 }
 
 /// The recorder's clock loses 100 parts per million for a day: 8.6 s.
-TEST(SampleClock, ClocksMayRunApart) {
+TEST(SampleClock, ToleratesClockDrift) {
   SampleClock clock(1000 * (1 - 100e-6), 1);
   for (int s = 0; s <= 86400; ++s) {
     const auto samples = static_cast<std::uint64_t>(1000.0 * s * (1 - 200e-6));

@@ -46,7 +46,7 @@ std::string swapped(std::string bytes, std::size_t size) {
   return bytes;
 }
 
-TEST(Samples, AreTheSameWhateverThePieces) {
+TEST(Samples, DoNotDependOnThePieces) {
   for (const std::size_t piece : {1, 2, 3, 5, 7, 8, 11, 1000}) {
     SCOPED_TRACE(piece);
     EXPECT_EQ(decoded(SampleFormat::f32, as_bytes_of<float>({1.5F, -2.25F, 3e10F}), piece),
@@ -67,7 +67,7 @@ TEST(Samples, AreTheSameWhateverThePieces) {
   }
 }
 
-TEST(Samples, TellOfOneThatHasNotComeWhole) {
+TEST(Samples, ReportAnUnfinishedSample) {
   SampleDecoder decoder(SampleFormat::f32, "raw", rate_hz);
   Numbers samples;
   add(decoder, std::string(7, '\0'), samples);
@@ -77,7 +77,7 @@ TEST(Samples, TellOfOneThatHasNotComeWhole) {
   EXPECT_EQ(decoder.waiting(), 0U);
 }
 
-TEST(Samples, ALineThatIsNoNumberIsAGap) {
+TEST(Samples, HaveAGapAtAnInvalidLine) {
   SampleDecoder decoder(SampleFormat::text, "raw", rate_hz);
   Numbers samples;
   add(decoder, "+1\n2\n3,4\n+.5\n+-1\n", samples);
@@ -88,11 +88,11 @@ TEST(Samples, ALineThatIsNoNumberIsAGap) {
   EXPECT_TRUE(std::isnan(samples[4]));
   EXPECT_EQ(decoder.text().garbled(), 2U);
   EXPECT_EQ(decoder.text().first_garbled(),
-            "raw, line 3: '3,4' is not a number; a line of --format text holds one sample");
+            "raw, line 3: '3,4' is not a number; a line of --format text must hold one sample");
 }
 
 /// Memory does not grow with the length of a line.
-TEST(Samples, ALongLineIsAGap) {
+TEST(Samples, HaveAGapAtALongLine) {
   SampleDecoder decoder(SampleFormat::text, "raw", rate_hz);
   Numbers samples;
   for (int i = 0; i < 100; ++i) add(decoder, std::string(1000, '1'), samples);
@@ -106,7 +106,7 @@ TEST(Samples, ALongLineIsAGap) {
 }
 
 /// Text read as binary yields numbers of all magnitudes.
-TEST(Samples, ThatAreTextAreNotReadAsBinary) {
+TEST(Samples, AreNotReadAsBinaryIfText) {
   const std::string text = "0.0125\n-0.25\n+1.5e-3\n0.125\n-0.0625\n";
   for (const SampleFormat format : {SampleFormat::f32, SampleFormat::f64, SampleFormat::f32be,
                                     SampleFormat::i16, SampleFormat::i32}) {
@@ -115,12 +115,12 @@ TEST(Samples, ThatAreTextAreNotReadAsBinary) {
     const auto bytes = std::as_bytes(std::span(text));
     decoder.add(bytes.first(10), samples);
     EXPECT_ERROR(decoder.add(bytes.subspan(10), samples), Exit::bad_input,
-                 "pump: begins like text, not like samples in binary form; is it --format text?");
+                 "pump: begins like text, not like binary samples; is it --format text?");
   }
 }
 
 /// Reads samples of each format as every other one, as for an owner who forgets --format.
-TEST(Samples, TellTheFormatThatTheyLookLike) {
+TEST(Samples, RevealTheirFormat) {
   std::vector<float> f32;
   std::vector<double> f64;
   std::vector<double> of_f32;
@@ -158,16 +158,16 @@ TEST(Samples, TellTheFormatThatTheyLookLike) {
   }
 }
 
-TEST(Samples, AreNotTakenFromAFileOfNumPy) {
+TEST(Samples, AreNotReadFromANumPyFile) {
   for (const auto format : {SampleFormat::f32, SampleFormat::f64, SampleFormat::text}) {
     SampleDecoder decoder(format, "pump", rate_hz);
     Numbers samples;
     EXPECT_ERROR(add(decoder, "\x93NUMPY\x01" + std::string(100, 'x'), samples), Exit::bad_input,
-                 "pump: begins as a file of NumPy does; pipe its samples alone in: python3 -c");
+                 "pump: begins like a NumPy file; pipe in only its samples: python3 -c");
   }
 }
 
-TEST(Samples, OfATextHaveNoGapsWhereALineIsBlank) {
+TEST(Samples, HaveNoGapAtABlankLine) {
   SampleDecoder decoder(SampleFormat::text, "pump", rate_hz);
   Numbers samples;
   add(decoder, "1\n\n2\r\n \t\r\n3\n" + std::string(300, ' ') + "\n4\n", samples);
@@ -175,7 +175,7 @@ TEST(Samples, OfATextHaveNoGapsWhereALineIsBlank) {
   EXPECT_EQ(decoder.text().garbled(), 0U);
 }
 
-TEST(Samples, TellTheByteOrderThatTheyLookLike) {
+TEST(Samples, RevealTheirByteOrder) {
   std::vector<float> narrow;
   std::vector<double> wide;
   Stream random("byte order");

@@ -63,7 +63,7 @@ std::vector<float> ramp(std::size_t samples) {
   return ramp;
 }
 
-TEST(Watch, WritesALineASecondAndSaysHowMuchItHeard) {
+TEST(Watch, WritesALinePerSecondAndASummary) {
   const Watched all = watched(ramp(2550));
   EXPECT_EQ(std::ranges::count(all.lines, '\n'), 3);
   EXPECT_TRUE(all.lines.starts_with("{\"time_s\": 1.000, \"windows\": 10,")) << all.lines;
@@ -71,7 +71,7 @@ TEST(Watch, WritesALineASecondAndSaysHowMuchItHeard) {
   EXPECT_EQ(all.summary, "25 windows in 2.5 s of signal until its end: 0 alarms; nothing lost");
 }
 
-TEST(Watch, SaysWhatWasLost) {
+TEST(Watch, ReportsLostSamples) {
   std::vector<float> samples = ramp(250);
   samples[120] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(watched(samples, 3).summary,
@@ -80,7 +80,7 @@ TEST(Watch, SaysWhatWasLost) {
 }
 
 /// Noise of 3 s with swapped bytes: about 1 sample in 30 is not finite or too large.
-TEST(Watch, NamesTheFormatWhereSamplesAreNotFinite) {
+TEST(Watch, SuggestsTheFormatIfSamplesAreNotFinite) {
   Stream random("other order");
   std::vector<float> samples(3000);
   for (float& x : samples) x = static_cast<float>(random.normal(0, 0.1));
@@ -95,7 +95,7 @@ TEST(Watch, NamesTheFormatWhereSamplesAreNotFinite) {
             "30 windows in 3.0 s of signal until its end: 0 alarms; nothing lost");
 }
 
-TEST(Watch, NonFiniteSamplesThatBreakEveryWindowAreAnError) {
+TEST(Watch, FailsIfNonFiniteSamplesBreakEveryWindow) {
   std::vector<float> samples = ramp(300);
   for (const std::size_t i : {50, 149, 248}) {
     samples[i] = std::numeric_limits<float>::infinity();
@@ -105,7 +105,7 @@ TEST(Watch, NonFiniteSamplesThatBreakEveryWindowAreAnError) {
                "right?");
 }
 
-TEST(Watch, CountsLinesThatAreNotANumber) {
+TEST(Watch, CountsInvalidLines) {
   std::string text = "a header\n";
   for (int i = 0; i < 250; ++i) text += i == 120 ? "1.2x\n" : std::to_string(i % 9) + "\n";
   EXPECT_EQ(watched_bytes(text, SampleFormat::text).summary,
@@ -114,7 +114,7 @@ TEST(Watch, CountsLinesThatAreNotANumber) {
                "raw.f32, line 1: 'time,x' is not a number");
 }
 
-TEST(Watch, CountsWhatAWavHeaderPromises) {
+TEST(Watch, CountsBytesMissingFromWav) {
   const std::string header(
       "RIFF\0\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\xE8\x03\0\0\xD0\x07\0\0\x02"
       "\0\x10\0data\x90\x01\0\0",
@@ -122,23 +122,23 @@ TEST(Watch, CountsWhatAWavHeaderPromises) {
   std::string samples;
   for (int i = 0; i < 150; ++i) samples += std::string{static_cast<char>(i), '\1'};
   EXPECT_EQ(watched_bytes(header + samples, SampleFormat::wav).summary,
-            "1 window in 0.1 s of signal until its end: 0 alarms; lost: 100 bytes that the WAV "
-            "header promises");
+            "1 window in 0.1 s of signal until its end: 0 alarms; lost: 100 bytes fewer than the "
+            "WAV header declares");
 }
 
-TEST(Watch, SaysThatNothingWasLateWhereAsked) {
+TEST(Watch, ReportsThatNothingWasLateIfRequested) {
   EXPECT_EQ(watched(ramp(100), 0, {.realtime = true}).summary,
             "1 window in 0.1 s of signal until its end: 0 alarms; nothing lost; none was late");
 }
 
-TEST(Watch, StopsWhenItIsTold) {
+TEST(Watch, StopsOnRequest) {
   const Watched none = watched(ramp(2550), 0, {}, true);
   EXPECT_EQ(none.lines, "");
   EXPECT_EQ(none.summary,
-            "0 windows in 0.0 s of signal until it was told to stop: 0 alarms; nothing lost");
+            "0 windows in 0.0 s of signal until it was stopped: 0 alarms; nothing lost");
 }
 
-TEST(Watch, AStreamShorterThanAWindowIsAnError) {
+TEST(Watch, FailsIfTheStreamIsShorterThanAWindow) {
   EXPECT_ERROR(watched(ramp(99)), Exit::bad_input,
                "raw.f32: ended after 99 samples, 0.099 s; a window takes 0.1 s");
 }

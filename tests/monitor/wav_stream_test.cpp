@@ -57,7 +57,7 @@ Numbers decoded_wav(const std::string& bytes, std::size_t piece = 1000, double r
 }
 
 /// Full scale is 1, as for recordings in files: 0x4000 in 16 bits is 0.5.
-TEST(WavStream, SamplesAreReadInEachCodingWhateverThePieces) {
+TEST(WavStream, ReadsEachCodingInAnyPieces) {
   const std::string of_16 = wav_of(format_of(1, 16), le(0x4000, 2) + le(0x8000, 2) + le(1, 2));
   const std::string of_24 = wav_of(extensible_of(1, 24), le(0x400000, 3) + le(0xFFFFFF, 3));
   const std::string of_32 = wav_of(format_of(1, 32), le(0xC0000000, 4));
@@ -73,7 +73,7 @@ TEST(WavStream, SamplesAreReadInEachCodingWhateverThePieces) {
   }
 }
 
-TEST(WavStream, OtherChunksAreSkipped) {
+TEST(WavStream, SkipsOtherChunks) {
   const std::string samples = le(0x4000, 2);
   const std::string bytes = riff(chunk("JUNK", std::string(29, 'x')) + chunk("LIST", "") +
                                  chunk("fmt ", format_of(1, 16)) + chunk("fact", le(1, 4)) +
@@ -84,7 +84,7 @@ TEST(WavStream, OtherChunksAreSkipped) {
 }
 
 /// Recorders that write into a pipe do not know its end.
-TEST(WavStream, SamplesOfUnknownLengthGoOnToTheEnd) {
+TEST(WavStream, ReadsUnknownLengthsToTheEnd) {
   std::string samples;
   for (int i = 0; i < 5000; ++i) samples += le(0x4000, 2);
   for (const std::uint64_t length :
@@ -95,7 +95,7 @@ TEST(WavStream, SamplesOfUnknownLengthGoOnToTheEnd) {
   }
 }
 
-TEST(WavStream, TellsWhatItsHeaderPromises) {
+TEST(WavStream, ReportsMissingBytes) {
   std::string bytes = wav_of(format_of(1, 16), std::string(100, '\1'));
   bytes.resize(bytes.size() - 30);
   SampleDecoder decoder(SampleFormat::wav, "raw", 12000);
@@ -111,27 +111,27 @@ TEST(WavStream, TellsWhatItsHeaderPromises) {
   EXPECT_EQ(decoder.wav().missing(), 0U);
 }
 
-TEST(WavStream, WhatDoesNotFitIsRefused) {
+TEST(WavStream, RefusesUnsupportedStreams) {
   const std::string samples(8, '\1');
   EXPECT_ERROR(decoded_wav(wav_of(format_of(1, 16, 2), samples)), Exit::bad_input,
-               "raw: has 2 channels; pipe in one");
+               "raw: has 2 channels; pipe in only one");
   EXPECT_ERROR(decoded_wav(wav_of(format_of(1, 16, 1, 44100), samples)), Exit::bad_input,
-               "its WAV header says 44100 Hz, --sample-rate-hz 12000");
+               "its WAV header declares 44100 Hz, but --sample-rate-hz is 12000");
   EXPECT_ERROR(decoded_wav(wav_of(format_of(1, 8), samples)), Exit::bad_input,
-               "is WAV of kind 1 and 8 bits");
+               "is WAV of kind 1 with 8 bits");
   EXPECT_ERROR(decoded_wav(wav_of(format_of(6, 8), samples)), Exit::bad_input, "kind 6");
   EXPECT_ERROR(decoded_wav(wav_of(format_of(1, 16), samples) + wav_of(format_of(1, 16), samples)),
                Exit::bad_input, "holds a second recording");
   EXPECT_EQ(decoded_wav(wav_of(format_of(1, 16, 1, 12001), samples), 7, 12000.6).size(), 4U);
 }
 
-TEST(WavStream, DamageIsRefused) {
+TEST(WavStream, RefusesDamage) {
   const std::string samples(8, '\1');
-  EXPECT_ERROR(decoded_wav("0.1\n0.2\n0.3\n0.4\n"), Exit::bad_input, "does not begin as WAV does");
+  EXPECT_ERROR(decoded_wav("0.1\n0.2\n0.3\n0.4\n"), Exit::bad_input, "does not begin like WAV");
   EXPECT_ERROR(decoded_wav("RIFX" + wav_of(format_of(1, 16), samples).substr(4)), Exit::bad_input,
-               "does not begin as WAV does");
+               "does not begin like WAV");
   EXPECT_ERROR(decoded_wav(riff(chunk("data", samples))), Exit::bad_input,
-               "does not say the format");
+               "does not declare the format");
   EXPECT_ERROR(decoded_wav(riff(chunk("fmt ", "short"))), Exit::bad_input, "header is damaged");
   EXPECT_ERROR(decoded_wav(riff(chunk("fmt ", std::string(5000, '\1')))), Exit::bad_input,
                "header is damaged");
@@ -144,7 +144,7 @@ TEST(WavStream, DamageIsRefused) {
 }
 
 /// A cut header yields no samples; a flipped bit throws nothing but Error(bad_input).
-TEST(WavStream, ACutOrFlippedHeaderIsReadSafely) {
+TEST(WavStream, ReadsDamagedHeadersSafely) {
   const std::string bytes = wav_of(extensible_of(1, 24), std::string(30, '\1'));
   const std::size_t header = bytes.size() - 30;
   for (std::size_t length = 0; length <= header; ++length) {

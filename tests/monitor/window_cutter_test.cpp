@@ -28,20 +28,20 @@ std::string windows_of(std::size_t length, std::size_t stride, std::size_t sampl
   return text;
 }
 
-TEST(WindowCutter, CutsOneAfterAnotherWhateverThePieces) {
+TEST(WindowCutter, CutsWindowsInAnyPieces) {
   for (const std::size_t piece : {1, 2, 3, 4, 5, 7, 14, 100}) {
     EXPECT_EQ(windows_of(4, 4, 14, piece), "0:0-3 4:4-7 8:8-11 ") << piece;
   }
 }
 
-TEST(WindowCutter, WindowsMayOverlapOrLeaveSamplesOut) {
+TEST(WindowCutter, MayOverlapOrSkipSamples) {
   for (const std::size_t piece : {1, 3, 8, 100}) {
     EXPECT_EQ(windows_of(4, 2, 9, piece), "0:0-3 2:2-5 4:4-7 ") << piece;
     EXPECT_EQ(windows_of(3, 10, 24, piece), "0:0-2 10:10-12 20:20-22 ") << piece;
   }
 }
 
-TEST(WindowCutter, NoWindowSpansARestart) {
+TEST(WindowCutter, CutsNoWindowAcrossARestart) {
   WindowCutter cutter(3, 3);
   cutter.add(std::vector<double>{1, 2});
   EXPECT_EQ(cutter.waiting(), 2U);

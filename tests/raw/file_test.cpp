@@ -33,21 +33,21 @@ TEST(Csv, NeedsNeitherHeaderNorLastLineEnd) {
   EXPECT_THAT(read_csv(folder.write("a.csv", "1\n2\n3"), "1"), ElementsAre(1, 2, 3));
 }
 
-TEST(Csv, TakesOtherSeparatorsLineEndsQuotesAndAByteOrderMark) {
+TEST(Csv, AcceptsOtherSeparatorsLineEndsQuotesAndAByteOrderMark) {
   const Folder folder;
   const std::string text = "\xEF\xBB\xBF\"t\"; \"a b\"\r\n0; 4\r\n1; 5\r\n";
   EXPECT_THAT(read_csv(folder.write("a.csv", text), "a b"), ElementsAre(4, 5));
   EXPECT_THAT(read_csv(folder.write("b.csv", "1\t2\n3\t4\n"), "2"), ElementsAre(2, 4));
 }
 
-TEST(Csv, PassesNaNOnAndAnEmptyFileAsNoSample) {
+TEST(Csv, KeepsNaNAndGivesNoSamplesForAnEmptyFile) {
   const Folder folder;
   EXPECT_TRUE(std::isnan(read_csv(folder.write("a.csv", "1\nnan\n"), "1").at(1)));
   EXPECT_THAT(read_csv(folder.write("b.csv", ""), "1"), IsEmpty());
   EXPECT_THAT(read_csv(folder.write("c.csv", "acc\n"), "acc"), IsEmpty());
 }
 
-TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
+TEST(Csv, RefusesTextsThatAreNotColumnsOfNumbers) {
   const Folder folder;
   const auto read = [&](const std::string& text, const std::string& column) {
     return read_csv(folder.write("a.csv", text), column);
@@ -72,7 +72,7 @@ TEST(Csv, RefusesWhatIsNotStrictlyNumbersInColumns) {
   EXPECT_ERROR(read("t,a\n0,1\n", "0"), Exit::bad_input, "has no column 0");
 }
 
-TEST(Csv, TellsANameFromADamagedNumber) {
+TEST(Csv, DistinguishesNamesFromDamagedNumbers) {
   const Folder folder;
   const std::string damaged = std::string("0.") + '\x01' + "125\n1\n2\n";
   EXPECT_ERROR((void)read_csv(folder.write("a.csv", damaged), "1"), Exit::bad_input,
@@ -81,7 +81,7 @@ TEST(Csv, TellsANameFromADamagedNumber) {
   EXPECT_THAT(read_csv(folder.write("c.csv", "t,[g]\n1,2\n"), "2"), ElementsAre(2));
 }
 
-TEST(Csv, TakesWhatStandsBeforeTheNumbers) {
+TEST(Csv, SkipsTheTextAboveTheNumbers) {
   const Folder folder;
   const auto read = [&](const std::string& text, const std::string& column) {
     return read_csv(folder.write("a.csv", text), column);
@@ -102,7 +102,7 @@ TEST(Csv, TakesWhatStandsBeforeTheNumbers) {
   EXPECT_ERROR(read("words\n..;..\n1;2\n3;4\n", "2"), Exit::bad_input, "line 2: column 2 holds");
 }
 
-TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
+TEST(Csv, AcceptsDecimalCommasIfCommasDoNotSeparate) {
   const Folder folder;
   const auto read = [&](const std::string& text, const std::string& column) {
     return read_csv(folder.write("a.csv", text), column);
@@ -115,8 +115,8 @@ TEST(Csv, TakesDecimalCommasWhereTheyDoNotSeparate) {
   EXPECT_ERROR(read("1;1,234\n2;5.5\n", "2"), Exit::bad_input, "the other decimal sign");
   // Numbers split at a decimal comma are not samples.
   EXPECT_ERROR(read("1,25\n1,05\n", "2"), Exit::bad_input,
-               "line 2: column 2 holds '05': numbers with a decimal comma, it seems");
-  EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "decimal comma, it seems");
+               "line 2: column 2 holds '05': the numbers seem to have decimal commas");
+  EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "seem to have decimal commas");
   // If another field has a decimal point, commas separate the fields, and -0 is a number.
   EXPECT_EQ(read("-0,0.5\n1,0.25\n", "1"), (std::vector<double>{0, 1}));
 }
@@ -151,7 +151,7 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
 }
 
 // Storing lines or fields one by one would take many times the file's size.
-TEST(Csv, TakesNoMoreMemoryThanItsSizeAllows) {
+TEST(Csv, UsesNoMoreMemoryThanTheFileSizeAllows) {
   const Folder folder;
   const std::string lines = "1\n" + std::string(30'000'000, '\n') + "2\n";
   EXPECT_ERROR((void)read(folder.write("lines.csv", lines), "1"), Exit::bad_input,
@@ -204,7 +204,7 @@ TEST_P(Mat, ReadsRealVectorsOfAnyNumberType) {
   EXPECT_THAT(read(file, "int16"), ElementsAre(-32768, 7));
 }
 
-TEST_P(Mat, NamesTheVariablesThatAFileHas) {
+TEST_P(Mat, ListsVariablesIfTheRequestedOneIsMissing) {
   const Folder folder;
   const fs::path file =
       write_mat(folder / "a.mat", GetParam(),
@@ -227,7 +227,7 @@ TEST_P(Mat, RefusesAMatrixAndText) {
 INSTANTIATE_TEST_SUITE_P(Versions, Mat, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
                          [](const auto& info) { return info.param == MAT_FT_MAT5 ? "v5" : "v73"; });
 
-TEST(MatFile, ThatIsCutAnywhereIsRefused) {
+TEST(MatFile, IsRefusedIfTruncatedAnywhere) {
   const Folder folder;
   std::vector<double> noise(3000);
   for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(static_cast<double>(i * i));
@@ -250,7 +250,7 @@ TEST(MatFile, ThatIsCutAnywhereIsRefused) {
   }
 }
 
-TEST(MatFile, ThatIsNoMatFileIsRefused) {
+TEST(MatFile, IsRefusedIfItHasAnotherFormat) {
   const Folder folder;
   EXPECT_ERROR(read_mat(folder.write("a.mat", "<html>404</html>"), "x"), Exit::bad_input,
                "not a MATLAB file");
@@ -293,7 +293,7 @@ TEST(Hdf5, ReadsFloatsAndIntegersOfAnyByteOrder) {
   EXPECT_THAT(read(file, "counts"), ElementsAre(-100663297, 134217728));
 }
 
-TEST(Hdf5, RefusesWhatIsNotAVectorOfNumbers) {
+TEST(Hdf5, RefusesDatasetsThatAreNotVectorsOfNumbers) {
   const Folder folder;
   const fs::path file = write_hdf5(folder / "a.hdf5");
   EXPECT_ERROR(read(file, "acc"), Exit::bad_input,
@@ -310,10 +310,10 @@ TEST(Hdf5, RefusesATruncatedFile) {
   EXPECT_ERROR(read_hdf5(file, "raw/acc"), Exit::bad_input, "a.h5: truncated, damaged or not");
 }
 
-TEST(RawFile, WithASingleNumberIsNoRecording) {
+TEST(RawFile, IsRefusedIfItHoldsOneNumber) {
   const Folder folder;
   EXPECT_ERROR(read(folder.write("a.csv", "rpm\n1772\n"), "rpm"), Exit::bad_input,
-               "rpm holds one number, 1772: no recording");
+               "rpm holds only one number, 1772; name the variable");
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ void expect_no_other_numbers(const Folder& folder, const Covered& whole) {
   EXPECT_GT(refused, flips * 9 / 10);
 }
 
-TEST(Flips, WhereAChecksumCoversThemGiveNoOtherNumbers) {
+TEST(Flips, NeverChangeNumbersUnderAChecksum) {
   const Folder folder;
   expect_no_other_numbers(folder, packed_mat(folder));
   expect_no_other_numbers(folder, flac(folder));
@@ -213,14 +213,14 @@ void expect_contradictions_are_seen(const Folder& folder, const Covered& whole,
   EXPECT_GE(refused, at_least);
 }
 
-TEST(Flips, InFrontOfTheSamplesOfMatlabV5AreSeen) {
+TEST(Flips, AreFoundBeforeTheSamplesOfMatlabV5) {
   const Folder folder;
   const std::string bytes = mat5_bytes(folder, MAT_COMPRESSION_NONE);
   const std::size_t samples = bytes.size() - flipped_length * sizeof(double);
   expect_contradictions_are_seen(folder, {.bytes = bytes, .ranges = {{128, samples}}}, 300);
 }
 
-TEST(Flips, InWhatSoundSaysOfItsFramesAreSeen) {
+TEST(Flips, AreFoundInTheFrameHeadersOfSound) {
   const Folder folder;
   const std::string wav = sound_bytes(folder, SF_FORMAT_WAV);  // channels; frame and bits; size
   expect_contradictions_are_seen(
@@ -249,7 +249,7 @@ std::set<std::size_t> keys_of_chunks(const Covered& file) {
   return keys;
 }
 
-TEST(Flips, InTheIndexOfChunksOfHdf5GiveNoOtherNumbers) {
+TEST(Flips, NeverChangeNumbersInTheChunkIndexOfHdf5) {
   const Folder folder;
   for (const Filters& filters :
        {Filters{.deflate = true}, Filters{.shuffle = true, .deflate = true},
@@ -271,7 +271,7 @@ TEST(Flips, InTheIndexOfChunksOfHdf5GiveNoOtherNumbers) {
 
 /// Flips bits in the messages of a dataset's type and filters, which have no checksum either (HDF5
 /// file format, IV.A.2.d and l).
-TEST(Flips, InTheTypeAndTheFiltersOfHdf5GiveNoOtherNumbers) {
+TEST(Flips, NeverChangeNumbersInTypesAndFiltersOfHdf5) {
   const Folder folder;
   const Covered whole = filtered(folder, {.deflate = true}, false);
   const std::size_t type = whole.bytes.find(std::string("\x11\x20\x3f\0\x08\0\0\0", 8));
@@ -294,12 +294,12 @@ TEST(Flips, InTheExtentsOfHdf5CannotHideChunks) {
   ASSERT_NE(at, std::string::npos);
   bytes[at + 9] = 3;  // 1 x 952: two chunks of five
   EXPECT_ERROR(read_here(folder.write("a.h5", bytes), "x"), Exit::bad_input,
-               "dataset /x is damaged: its chunks are others than those of its extents");
+               "dataset /x is damaged: its chunks do not match its extents");
 }
 
 /// Flips bits in the old format's header and in a dataset without filters: the base and the end of
 /// the file (HDF5 file format, II.A), and the extents (IV.A.2.b).
-TEST(Flips, InTheEndAndTheExtentsOfHdf5GiveNoOtherNumbers) {
+TEST(Flips, NeverChangeNumbersInEndAndExtentsOfHdf5) {
   const Folder folder;
   const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t extent = 3000;
@@ -335,7 +335,7 @@ TEST(Flips, InTheEndAndTheExtentsOfHdf5GiveNoOtherNumbers) {
   EXPECT_LT(same, 8 * places.size() / 2);
 }
 
-TEST(Hdf5, HasHalfFloatsButNoTypesThatNobodyHas) {
+TEST(Hdf5, ReadsHalfFloatsAndRefusesUnusualTypes) {
   const Folder folder;
   const hid_t half = H5Tcopy(H5T_IEEE_F32LE);
   H5Tset_fields(half, 15, 10, 5, 0, 10);
@@ -359,7 +359,7 @@ TEST(Hdf5, HasHalfFloatsButNoTypesThatNobodyHas) {
   }
 }
 
-TEST(Hdf5, ThatWasNeverWrittenToItsEndIsRefused) {
+TEST(Hdf5, RefusesDatasetsThatAreNotFullyWritten) {
   const Folder folder;
   const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t extent = 100;

@@ -15,31 +15,32 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Formats, AreTextUnlessTheirFirstBytesSayOtherwise) {
+TEST(Formats, DefaultToTextUnlessTheFirstBytesDiffer) {
   const Folder folder;
   for (const char* name : {"a.csv", "a.txt", "a.dat", "a.ASC", "2004.02.12.10.32.39", "a"}) {
     EXPECT_THAT(read_here(folder.write(name, "0.5\n1.5\n"), "1"), ElementsAre(0.5, 1.5)) << name;
   }
 }
 
-TEST(Formats, ThatAreNotReadAreNamedWithAWayOut) {
+TEST(Formats, AreRefusedWithAConversionIfUnsupported) {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> files{
       {std::string("PK\x03\x04\x14\x00\x06\x00rest", 12),
        "is an Excel workbook: save the sheet as CSV"},
       {std::string("PK\x03\x04\x00\x00rest", 10),
        "is a zip archive (.zip, .npz) or an Excel workbook"},
-      {"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "is an Excel workbook of before 2007"},
-      {"\x1f\x8b\x08rest", "is packed by gzip: unpack it (gunzip)"},
-      {".snd" + std::string(40, '\0'), "is sound in a format that is not read: sox FILE OUT.wav"},
-      {"ID3\x03" + std::string(40, '\0'), "is sound that was compressed with loss"},
-      {"\xff\xfb\x90\x64" + std::string(40, '\0'), "is sound that was compressed with loss"},
-      {std::string("\0\0\0\x20", 4) + "ftypM4A rest", "is sound that was compressed with loss"},
-      {"OggSrest", "is sound that was compressed with loss"},
+      {"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "is an Excel workbook from before 2007"},
+      {"\x1f\x8b\x08rest", "is compressed with gzip: unpack it (gunzip)"},
+      {".snd" + std::string(40, '\0'),
+       "is sound in an unsupported format; convert it: sox FILE OUT.wav"},
+      {"ID3\x03" + std::string(40, '\0'), "is sound with lossy compression"},
+      {"\xff\xfb\x90\x64" + std::string(40, '\0'), "is sound with lossy compression"},
+      {std::string("\0\0\0\x20", 4) + "ftypM4A rest", "is sound with lossy compression"},
+      {"OggSrest", "is sound with lossy compression"},
       {"MDF     4.10    ", "is an MDF file (ASAM): export the channel as CSV"},
       {"PAR1rest", "is a table in Parquet or Arrow: save it as CSV"},
-      {"SQLite format 3", "is a database of SQLite: export the samples as CSV"},
-      {"\x80\x04\x95rest", "is pickled by Python: save the array by np.save"},
+      {"SQLite format 3", "is an SQLite database: export the samples as CSV"},
+      {"\x80\x04\x95rest", "is a Python pickle: save the array with np.save"},
       {"<?xml version=\"1.0\"?>\n<a>1</a>\n", "is XML or HTML"},
       {"{\"t\":0,\"x\":0.5}\n", "is JSON: write the samples as CSV"},
       {"[{\"t\":0,\"x\":0.5}]\n", "is JSON: write the samples as CSV"},
@@ -51,11 +52,11 @@ TEST(Formats, ThatAreNotReadAreNamedWithAWayOut) {
   }
   const std::string mat4("\0\0\0\0\x03\0\0\0\x01\0\0\0\0\0\0\0\x02\0\0\0x\0", 22);
   EXPECT_ERROR(read_here(folder.write("a.mat", mat4 + std::string(24, '\0')), "x"), Exit::bad_input,
-               "is of MATLAB, version 4: save it as version 5");
+               "is a MATLAB file of version 4: save it as version 5");
 }
 
 /// Uses binary samples without a header, and UTF-16 text without a byte order mark.
-TEST(Formats, WithoutAMarkAreToldFromText) {
+TEST(Formats, AreDistinguishedFromTextWithoutAMark) {
   const Folder folder;
   std::string floats;
   std::string shorts;
@@ -69,13 +70,13 @@ TEST(Formats, WithoutAMarkAreToldFromText) {
   }
   for (const std::string& bytes : {floats, shorts}) {
     EXPECT_ERROR(read_here(folder.write("a.dat", bytes), "1"), Exit::bad_input,
-                 "a.dat: is binary, in no format that is read; export it as text");
+                 "a.dat: is binary, in an unsupported format; export it as text");
   }
   EXPECT_ERROR(read_here(folder.write("a.txt", wide), "1"), Exit::bad_input,
                "a.txt: seems to be UTF-16 without a byte order mark");
 }
 
-TEST(Formats, WithoutASampleAreRefused) {
+TEST(Formats, AreRefusedWithoutSamples) {
   const Folder folder;
   for (const char* text : {"", "\n", "x\n", "t,x\n", "# comment\n", "\xEF\xBB\xBF"}) {
     EXPECT_ERROR(read_here(folder.write("a.csv", text), "1"), Exit::bad_input,
@@ -85,11 +86,11 @@ TEST(Formats, WithoutASampleAreRefused) {
                "a.csv: x holds no sample");
 }
 
-TEST(Formats, ThatTheNameSaysMustBeThere) {
+TEST(Formats, MustMatchTheFileExtension) {
   const Folder folder;
   for (const char* name : {"a.wav", "a.npy", "a.h5", "a.flac"}) {
     EXPECT_ERROR(read_here(folder.write(name, "0.5\n1.5\n"), "1"), Exit::bad_input,
-                 std::string(name) + ": truncated, damaged or not what ");
+                 std::string(name) + ": truncated, damaged or not a '");
   }
 }
 

@@ -29,23 +29,22 @@ void expect_refused(const fs::path& file, const std::string& why) {
   }
 }
 
-TEST(HarmfulRawFile, ThatSaysToHoldMoreThanItCanIsNotBelieved) {
+TEST(HarmfulRawFile, IsRefusedIfItDeclaresMoreThanItCanHold) {
   const Folder folder;
   expect_refused(folder.write("v4.mat", harmful::claiming_v4()), "not a MATLAB file");
-  expect_refused(folder.write("v5.mat", harmful::claiming_v5()),
-                 "variable x is said to have 2147483647");
+  expect_refused(folder.write("v5.mat", harmful::claiming_v5()), "variable x declares 2147483647");
   harmful::write_claiming_hdf5(folder / "claim.h5");
-  expect_refused(folder / "claim.h5", "dataset /x is said to have 1000000000 values");
+  expect_refused(folder / "claim.h5", "dataset /x declares 1000000000 values");
 }
 
-TEST(HarmfulRawFile, ThatIsPackedBeyondReasonIsNotUnpacked) {
+TEST(HarmfulRawFile, IsNotUnpackedIfCompressedBeyondReason) {
   const Folder folder;
   const fs::path bomb = folder.write("bomb.mat", harmful::bomb_v5(40'000'000));
   EXPECT_LT(fs::file_size(bomb), 400'000);
-  expect_refused(bomb, "variable x is said to have 40000000 values");
+  expect_refused(bomb, "variable x declares 40000000 values");
 }
 
-TEST(HarmfulRawFile, ThatIsLargerThanAnyIsNotRead) {
+TEST(HarmfulRawFile, IsNotReadIfLargerThanTheLimit) {
   const Folder folder;
   for (const char* name : {"a.csv", "a.mat", "a.h5"}) {
     const fs::path file = folder.write(name, "x\n");
@@ -54,19 +53,19 @@ TEST(HarmfulRawFile, ThatIsLargerThanAnyIsNotRead) {
   }
 }
 
-TEST(HarmfulRawFile, MayBePackedWell) {
+TEST(HarmfulRawFile, MayBeCompressedWell) {
   const Folder folder;
   const fs::path packed = folder.write("packed.mat", harmful::bomb_v5(100'000));
   EXPECT_EQ(read(packed, "x"), std::vector<double>(100'000, 0.0));
 }
 
-TEST(HarmfulRawFile, WithManyNestedGroupsIsLookedThroughAtOnce) {
+TEST(HarmfulRawFile, IsSearchedQuicklyDespiteManyNestedGroups) {
   const Folder folder;
   harmful::write_nested_hdf5(folder / "nested.h5", 3000);
   expect_refused(folder / "nested.h5", "has no dataset /x; it has none");
 }
 
-TEST(HarmfulRawFile, DoesNotBringInOtherFiles) {
+TEST(HarmfulRawFile, CannotMakeItReadOtherFiles) {
   const Folder folder;
   {
     const harmful::NewHdf5 other(folder / "other.h5");
@@ -76,7 +75,7 @@ TEST(HarmfulRawFile, DoesNotBringInOtherFiles) {
   expect_refused(folder / "link.h5", "/x is a link to another file");
   folder.write("secret", std::string(100, 's'));
   harmful::write_external_values(folder / "values.h5", folder / "secret", 100);
-  expect_refused(folder / "values.h5", "is virtual or external: its values stand in other files");
+  expect_refused(folder / "values.h5", "is virtual or external: its values are in other files");
 }
 
 /// Returns an HDF5 file with a compressed x of 50 numbers.
@@ -99,7 +98,7 @@ std::string packed_hdf5(const fs::path& path) {
 }
 
 // libhdf5 1.10 crashes here: each number of x declares 16 million bytes.
-TEST(HarmfulRawFile, ThatCrashesItsReaderIsRefused) {
+TEST(HarmfulRawFile, IsRefusedIfItCrashesTheReader) {
   const Folder folder;
   std::string bytes = packed_hdf5(folder / "a.h5");
   EXPECT_EQ(read(folder / "a.h5", "x"), std::vector<double>(50, 1.5));
@@ -109,7 +108,7 @@ TEST(HarmfulRawFile, ThatCrashesItsReaderIsRefused) {
   expect_refused(folder.write("a.h5", bytes), "damaged");
 }
 
-TEST(HarmfulRawFile, ThatIsDamagedAnywhereIsGoodOrRefused) {
+TEST(HarmfulRawFile, IsReadCorrectlyOrRefusedIfDamagedAnywhere) {
   const Folder folder;
   const std::string whole = packed_hdf5(folder / "a.h5");
   constexpr std::size_t changes = 60;

@@ -88,7 +88,7 @@ TEST_P(Nested, RowsAndColumnsAreRead) {  // MATLAB's order: 1 and 2 are the firs
   EXPECT_THAT(at("b.gs(1,:)"), ElementsAre(1.5, -2, 3));
 }
 
-TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
+TEST_P(Nested, UnsupportedVariablesAreRefusedWithTheirType) {
   expect_refused("b", "variable b is a structure with the fields gs, rate; name one of them: b.gs");
   expect_refused("b.rate", "variable b.rate does not hold numbers, but text");
   expect_refused("b.g", "variable b has no field g; it has gs, rate");
@@ -97,21 +97,23 @@ TEST_P(Nested, VariablesThatAreNotReadSayWhatTheyAre) {
                  "variable K.Y is an array of 2 structures; name one of them: K.Y(1), or "
                  "K.Y[Name=force], K.Y[Name=vibration_1]");
   expect_refused("K.Y.Data", "variable K.Y is an array of 2 structures");
-  expect_refused("K.Y(3).Data", "variable K.Y has 2 elements, no 3");
+  expect_refused("K.Y(3).Data", "variable K.Y has 2 elements; number 3 does not exist");
   expect_refused("K.Y(2)", "variable K.Y(2) is a structure with the fields ");
-  expect_refused("K.Y[Name=x].Data", "variable K.Y has no element whose Name is x, or K.Y[Name=");
+  expect_refused(
+      "K.Y[Name=x].Data",
+      "variable K.Y has no element whose Name is x; name one by its number, or K.Y[Name=");
   expect_refused("c", "variable c is a cell array of 2; name one of them: c{1}");
   expect_refused(
       "data", "variable data is not a vector, but a matrix of 2 x 3; name a row of it: data(1,:)");
-  expect_refused("data(3,:)", "variable data has 2 rows, no 3");
+  expect_refused("data(3,:)", "variable data has 2 rows; number 3 does not exist");
   expect_refused("data(2,3)",
-                 "variable data holds numbers, of which (2,3) is one; name a row, data(1,:), or a "
-                 "column, data(:,1)");
+                 "variable data holds numbers, and (2,3) is only one of them; name a row data(1,:) "
+                 "or a column data(:,1)");
   for (const char* variable : {"data(0,:)", "data[0,:]", "data(1:2,:)", "c{0}"}) {
     expect_refused(variable, std::string("has no variable ") + variable + "; it has ");
     EXPECT_ERROR(at(variable), Exit::bad_input,
-                 "; a row is written data(1,:), a column data(:,1), an element c{1} or "
-                 "s(1).x, each counted from 1");
+                 "; write a row as data(1,:), a column as data(:,1), an element as c{1} or s(1).x, "
+                 "counted from 1");
   }
   expect_refused("nothing.gs", "has no variable nothing; it has ");
 }
@@ -137,7 +139,7 @@ fs::path write_namesakes(const fs::path& path, mat_ft version) {
 }
 
 /// Uses cells and structures in rows and columns, which MATLAB stores column by column.
-TEST(Elements, AreNamedByRowAndColumnToo) {
+TEST(Elements, CanBeNamedByRowAndColumn) {
   const Folder folder;
   for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
     mat_t* const file = Mat_CreateVer((folder / "a.mat").c_str(), nullptr, version);
@@ -172,7 +174,7 @@ TEST(Elements, AreNamedByRowAndColumnToo) {
   }
 }
 
-TEST(Namesakes, AmongElementsAreRefusedWithTheirNumbers) {
+TEST(Namesakes, AreRefusedWithNumbersAmongElements) {
   const Folder folder;
   for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
     const fs::path file = write_namesakes(folder / "a.mat", version);
@@ -184,7 +186,7 @@ TEST(Namesakes, AmongElementsAreRefusedWithTheirNumbers) {
   }
 }
 
-TEST(Namesakes, AmongVariablesAreRefused) {
+TEST(Namesakes, AreRefusedAmongVariables) {
   const Folder folder;
   for (const auto compression : {MAT_COMPRESSION_NONE, MAT_COMPRESSION_ZLIB}) {
     std::string bytes;
@@ -200,12 +202,13 @@ TEST(Namesakes, AmongVariablesAreRefused) {
       bytes += bytes.empty() ? one : one.substr(header);
     }
     const fs::path file = folder.write("a.mat", bytes);
-    EXPECT_ERROR(read_mat(file, "x"), Exit::bad_input, "a.mat: has 2 variables x, of which");
+    EXPECT_ERROR(read_mat(file, "x"), Exit::bad_input,
+                 "a.mat: has 2 variables named x, and programs");
     EXPECT_EQ(read_mat(file, "y"), first);
   }
 }
 
-TEST(Namesakes, AmongFieldsAreRefused) {
+TEST(Namesakes, AreRefusedAmongFields) {
   const Folder folder;
   mat_t* const file = Mat_CreateVer((folder / "a.mat").c_str(), nullptr, MAT_FT_MAT5);
   std::size_t one[]{1, 1};
@@ -218,7 +221,7 @@ TEST(Namesakes, AmongFieldsAreRefused) {
   Mat_VarFree(b);
   Mat_Close(file);
   EXPECT_ERROR(read_mat(folder / "a.mat", "b.x"), Exit::bad_input,
-               "a.mat: variable b has 2 fields x, of which");
+               "a.mat: variable b has 2 fields named x, and programs");
   EXPECT_EQ(read_mat(folder / "a.mat", "b.y"), first);
 }
 
@@ -243,7 +246,7 @@ fs::path write_links(const fs::path& path) {
   return path;
 }
 
-TEST(Hdf5, ReadsARowOrColumnAsPythonCountsThemButFrom1) {
+TEST(Hdf5, ReadsRowsAndColumnsInPythonOrderFrom1) {
   const Folder folder;
   const fs::path file = write_links(folder / "a.h5");
   EXPECT_THAT(read_hdf5(file, "sensor/accel(2,:)"), ElementsAre(4, 5, 6));

@@ -36,7 +36,7 @@ TEST_F(InstrumentText, MayHaveAPlusBeforeItsNumbers) {
   expect_refused("-0.5\n+\n", "1", ", line 2: column 1 holds '+', not a number");
 }
 
-TEST_F(InstrumentText, MayEndWithWhatEditorsAndLoggersLeaveThere) {
+TEST_F(InstrumentText, MayEndWithNullsCtrlZOrBlankLines) {
   const std::string table = "0,-0.5\n1,1.25\n2,2";
   for (const std::string& end : {std::string("\n"), std::string("\n  \n\n"), std::string("\n\x1a"),
                                  std::string("\n\0\0\0", 4), std::string("\n \t\r\n\0\x1a", 7)}) {
@@ -53,7 +53,7 @@ TEST_F(InstrumentText, MayEndItsLinesInAnyWay) {
 TEST_F(InstrumentText, MayHaveASeparatorAtTheEndOfItsLines) {
   expect_read("t,x\n0,-0.5,\n1,1.25,\n2,2,\n", "x");
   expect_read("t;x\n0;-0.5;\n1;1.25;\n2;2;\n", "2");
-  expect_refused("t,x\n1,2\n0,-0.5,7\n", "x", ", line 3: has 3 fields, the lines before 2");
+  expect_refused("t,x\n1,2\n0,-0.5,7\n", "x", ", line 3: has 3 fields, the lines above have 2");
   // Trailing separators of a header do not name a column.
   expect_read("t,x,,\n0,-0.5\n1,1.25\n2,2\n", "x");
 }
@@ -68,7 +68,7 @@ TEST_F(InstrumentText, MayHaveCommasInQuotedNames) {
   expect_read("\"time, s\",\"acc, g\"\n0,-0.5\n1,1.25\n2,2\n", "2");
 }
 
-TEST_F(InstrumentText, MayBeginWithDatesAndUnits) {
+TEST_F(InstrumentText, MayStartWithDatesAndUnits) {
   expect_read(
       "HBM_CATMANEASYDATAFILE 5.0\n24.02.2024 10:00:00\n\nMessrate: 12000 "
       "Hz\nZeit\tBeschl\ns\tm/s2\n\n"
@@ -76,13 +76,13 @@ TEST_F(InstrumentText, MayBeginWithDatesAndUnits) {
       "2");
 }
 
-TEST_F(InstrumentText, HasNoSamplesAboveItsTable) {
+TEST_F(InstrumentText, NeverTakesSamplesFromAboveTheTable) {
   const std::string table = "0.000,-0.5\n0.001,1.25\n0.002,2\n";
   expect_read("Sample rate,12000\nSensitivity,100\n" + table, "2");
   std::string decimals;
   for (int i = 0; i < 12; ++i) decimals += "0.25\n";
   expect_refused("2\n12000\n24000\n" + decimals, "1",
-                 ", line 1: column 1 holds '2', written otherwise than the numbers below");
+                 ", line 1: column 1 holds '2', in another format than the numbers below");
   // If other numbers show that trailing zeros are dropped, an integer is a sample.
   EXPECT_EQ(read_here(folder_.write("a.txt", "0\n0.125\n" + decimals + "1\n"), "1").size(), 15U);
 }
@@ -98,8 +98,8 @@ std::string samples(const std::string& before = "", const char* form = "%.6f") {
   return text;
 }
 
-TEST_F(InstrumentText, HasNoNumberAboveItsTableThatIsWrittenOtherwise) {
-  const std::string why = ", written otherwise than the numbers below, such as '";
+TEST_F(InstrumentText, IsRefusedWithNumbersOfAnotherFormatAboveTheTable) {
+  const std::string why = ", in another format than the numbers below, such as '";
   expect_refused("0\n" + samples("", "%.15g"), "1", "line 1: column 1 holds '0'" + why);  // pandas
   expect_refused("1.0\n" + samples(), "1", "line 1: column 1 holds '1.0'" + why);
   expect_refused("12000.0\n" + samples(), "1", why);
@@ -113,8 +113,8 @@ TEST_F(InstrumentText, HasNoNumberAboveItsTableThatIsWrittenOtherwise) {
             41U);
 }
 
-TEST_F(InstrumentText, HasNoLineOfWordsAmongItsNumbers) {
-  const std::string why = "', where other lines have a number: it is not of the table, it seems";
+TEST_F(InstrumentText, IsRefusedWithWordsAmongNumbers) {
+  const std::string why = "', where other lines have a number; if another table begins here";
   const std::string table = samples("0.1,");
   expect_refused("t,x\n" + table + "Sample rate,12000\n" + table, "x",
                  "line 22: begins with 'Sample rate" + why);
@@ -127,23 +127,22 @@ TEST_F(InstrumentText, HasNoLineOfWordsAmongItsNumbers) {
   EXPECT_EQ(read_here(folder_.write("a.txt", table + "nan,0.5\n" + table), "2").size(), 41U);
 }
 
-TEST_F(InstrumentText, HasNoCommaThatMayStandBeforeThousands) {
+TEST_F(InstrumentText, IsRefusedWithAmbiguousCommas) {
   expect_refused("t;x\n0.1;5,121\n0.2;5,122\n", "x",
-                 "line 2: holds '5,121' and '0.1': both decimal signs");
-  expect_refused(
-      "x\n2,401\n-1,233\n4,379\n", "x",
-      "line 2: holds '2,401', and all like it may have decimals or thousands behind the comma");
-  expect_refused("2 037\n3 465\n1 002\n", "1", "line 1: has blanks between thousands, it seems");
-  expect_refused("5,114567\n5,024567\n", "1", "numbers with a decimal comma, it seems");
+                 "line 2: holds '5,121' and '0.1', with two decimal signs");
+  expect_refused("x\n2,401\n-1,233\n4,379\n", "x",
+                 "line 2: holds '2,401', where the comma may precede decimals or thousands");
+  expect_refused("2 037\n3 465\n1 002\n", "1", "line 1: seems to have blanks between thousands");
+  expect_refused("5,114567\n5,024567\n", "1", "the numbers seem to have decimal commas");
   expect_refused("0,000000,0,345584\n0,000100,0,445584\n", "1",
-                 "numbers with a decimal comma, it seems");
+                 "the numbers seem to have decimal commas");
   // One number shows the meaning of the comma.
   EXPECT_THAT(read_here(folder_.write("a.txt", "x\n2,401\n0,250\n"), "x"),
               ElementsAre(2.401, 0.25));
   EXPECT_THAT(read_here(folder_.write("a.txt", "2 437\n3 465\n"), "1"), ElementsAre(2, 3));
 }
 
-TEST_F(InstrumentText, OfWholeNumbersMayHaveLeadingZerosBelowAHeader) {
+TEST_F(InstrumentText, MayHaveLeadingZerosBelowAHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "x,y\n0,1\n9,-0\n-8,02053\n"), "y"),
               ElementsAre(1, 0, 2053));
   expect_refused("0,5\n1,05\n", "2",
@@ -155,12 +154,13 @@ TEST_F(InstrumentText, MayBeWholeNumbersWithSignsAndNoHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "1,-0\n-0,2\n07,-3\n"), "1"), ElementsAre(1, 0, 7));
   EXPECT_THAT(read_here(folder_.write("a.csv", "007\n-0\n0100\n"), "1"), ElementsAre(7, 0, 100));
   EXPECT_THAT(read_here(folder_.write("a.csv", "0;007\n1;-0\n"), "2"), ElementsAre(7, 0));
-  expect_refused("-0,5\n1,2\n", "1", ", line 1: column 1 holds '-0': numbers with a decimal comma");
+  expect_refused("-0,5\n1,2\n", "1",
+                 ", line 1: column 1 holds '-0': the numbers seem to have decimal commas");
 }
 
-TEST_F(InstrumentText, OfTwoTablesIsRefusedWhereTheSecondOneBegins) {
+TEST_F(InstrumentText, IsRefusedAtTheStartOfASecondTable) {
   const std::string table = "t,x\n0,-0.5\n1,1.25\n";
-  const std::string another = " between the numbers; where another table begins here, save that in";
+  const std::string another = " between lines of numbers; if another table begins here, save it in";
   expect_refused(table + table, "x", ", line 4: holds 't,x'" + another);
   expect_refused(table + table, "2", ", line 4: holds 't,x'" + another);
   expect_refused(table + "t,x,force\n0,1,2\n", "x", ", line 4: holds 't,x,force'" + another);
@@ -172,7 +172,7 @@ TEST_F(InstrumentText, OfTwoTablesIsRefusedWhereTheSecondOneBegins) {
 }
 
 /// Latin-1, and GBK, where a character may end with the byte of a bar.
-TEST_F(InstrumentText, ThatIsNotInUtf8IsReadByNumber) {
+TEST_F(InstrumentText, IsReadByNumberIfNotInUtf8) {
   const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
   const std::string latin1 = "Zeit [s],Beschl. [m/s\xb2]\n" + rows;
   const std::string gbk = "\xca\xb1\xbc\xe4,\xbc\xd3\x95\x7c\xb6\xc8\n" + rows;
@@ -188,13 +188,13 @@ TEST_F(InstrumentText, ThatIsNotInUtf8IsReadByNumber) {
       "5 g\nt,x\n" +
           rows,
       "x");
-  const std::string why = "; it is not in UTF-8, so name the column by its number, 1 to 2";
+  const std::string why = "; the file is not in UTF-8, so name the column by its number, 1 to 2";
   expect_refused(latin1, "Beschl. [m/s²]", ", line 1: has no column Beschl. [m/s²]" + why);
   expect_refused(gbk, "加速度", ", line 1: has no column 加速度" + why);
   EXPECT_THAT(read_here(folder_.write("a.txt", latin1), "Zeit [s]"), ElementsAre(0, 1, 2));
 }
 
-TEST_F(InstrumentText, WhoseHeaderHasOtherFieldsThanItsRowsIsReadByNumber) {
+TEST_F(InstrumentText, IsReadByNumberIfTheHeaderHasOtherFields) {
   const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
   for (const char* header : {"x\n", "t,x,force\n", "t x [g]\n"}) {
     expect_read(header + rows, "2");
@@ -205,10 +205,10 @@ TEST_F(InstrumentText, WhoseHeaderHasOtherFieldsThanItsRowsIsReadByNumber) {
   expect_read(",x\n" + rows, "x");  // pandas writes row numbers with an empty header
 }
 
-TEST_F(InstrumentText, OfOneRowIsRefused) {
+TEST_F(InstrumentText, IsRefusedWithASingleRow) {
   std::string row = "0.5";
   for (int i = 0; i < 200; ++i) row += ",0.5";
-  expect_refused(row + '\n', "1", ", line 1: is the only one and has 201 fields");
+  expect_refused(row + '\n', "1", ", line 1: is the only line and has 201 fields");
 }
 
 }  // namespace

@@ -80,19 +80,19 @@ TEST_F(Lvm, MayBeSeparatedByCommas) {
   EXPECT_THAT(samples(text, "acc"), ElementsAre(1.5, -2, 3));
 }
 
-TEST_F(Lvm, SaysItsRate) {
+TEST_F(Lvm, GivesItsSampleRate) {
   const auto file = folder_.write("a.lvm", one_ + "0\t1\t2\n0\t3\t4\n0\t5\t6\n");
   EXPECT_THAT(read_lvm(file, "acc").sample_rate_hz.value_or(0), DoubleEq(10000));
   EXPECT_THAT(read_lvm(file, "2").sample_rate_hz.value_or(0), DoubleEq(5000));
   EXPECT_ERROR(read_here(file, "acc", 12000), Exit::bad_input,
-               "is sampled at 10000 Hz, by what it says itself, not at 12000 Hz");
+               "declares a sample rate of 10000 Hz, not 12000 Hz");
   std::string other = one_;
   other.replace(other.find("X_Dimension\tTime"), 16, "X_Dimension\tFrequency");
   expect_refused(other + "0\t1\t2\n0\t3\t4\n0\t5\t6\n", "1",
                  ": channel acc is not sampled over Time, but over Frequency");
 }
 
-TEST_F(Lvm, HasEmptyFieldsWhereAChannelIsSlower) {
+TEST_F(Lvm, AcceptsEmptyFieldsOfSlowerChannels) {
   const std::string text = lvm_header("No", "One") +
                            segment_header("X_Value\tacc\tforce\tComment", "3\t1") +
                            "0\t1\t-1\n0\t2\t\n0\t3\n0\t4\t-2\n0\t5\t\n0\t6\t\t\n";
@@ -101,7 +101,7 @@ TEST_F(Lvm, HasEmptyFieldsWhereAChannelIsSlower) {
   expect_refused(text + "0\t\t-3\n", "acc", ", line 29: channel acc holds '', not a number");
   expect_refused(text + "0\t7\t\n", "force", ", line 29: channel force holds '', not a number");
   expect_refused(text + "0\t7\t-3\n0\t8\t-4\n", "force",
-                 ", line 30: channel force holds '-4', where its header says that it has no value");
+                 ", line 30: channel force holds '-4', where its header declares no value");
 }
 
 TEST_F(Lvm, MayHaveASpecialBlockInItsHeader) {
@@ -111,39 +111,42 @@ TEST_F(Lvm, MayHaveASpecialBlockInItsHeader) {
   EXPECT_THAT(samples(text, "acc"), ElementsAre(1, 3, 5));
 }
 
-TEST_F(Lvm, ThatIsCutOrDamagedIsRefused) {
+TEST_F(Lvm, IsRefusedIfTruncatedOrDamaged) {
   const std::string rows = "0\t1.5\t-7\n0\t-2\t8\n";
-  expect_refused(one_ + rows, "1", ": truncated: it has 2 rows, its header says 3");
+  expect_refused(one_ + rows, "1", ": truncated: it has 2 rows, but its header declares 3");
   for (std::size_t size = 20; size < one_.size(); size += 9) {
     SCOPED_TRACE(size);
     expect_refused(one_.substr(0, size), "1", "");
   }
   expect_refused(one_ + rows + "0\tx\t9\n", "1", ", line 25: channel acc holds 'x', not a number");
-  expect_refused(one_ + rows + "0\t1,5\t9\n", "1",
-                 ", line 25: channel acc holds '1,5', whose decimal sign is not that of the file");
+  expect_refused(
+      one_ + rows + "0\t1,5\t9\n", "1",
+      ", line 25: channel acc holds '1,5', whose decimal sign is not the one in the header");
   expect_refused(one_ + rows + "0\t1\t9\t\t2\n", "1", ", line 25: has 5 fields");
   const std::string yes = lvm_header("Yes", "One") + segment_header("X_Value\tacc\tforce\tComment");
-  expect_refused(yes + rows + rows, "1", ", line 26: is a row more than the 3 of its header");
+  expect_refused(yes + rows + rows, "1",
+                 ", line 26: is one row more than the 3 that its header declares");
 }
 
-TEST_F(Lvm, OfSeveralSegmentsIsRefusedWithTheLine) {
+TEST_F(Lvm, IsRefusedAtTheLineOfASecondSegment) {
   const std::string rows = "0\t1\t2\n0\t3\t4\n0\t5\t6\n";
   expect_refused(one_ + rows + "\t\n" + segment_header("X_Value\tacc\tforce\tComment") + rows,
                  "acc",
-                 ", line 26: ends the first segment, and another one follows, with a header");
+                 ", line 26: ends the first segment, and another one with its own header follows");
 }
 
-TEST_F(Lvm, ThatIsNotInUtf8IsReadByNumber) {
+TEST_F(Lvm, IsReadByNumberIfNotInUtf8) {
   std::string text = one_ + "0\t1\t2\n0\t3\t4\n0\t5\t6\n";
   text.replace(text.find("\tacc"), 4, "\tSchwingst\xe4rke");
   EXPECT_THAT(samples(text, "1"), ElementsAre(1, 3, 5));
   EXPECT_THAT(samples(text, "force"), ElementsAre(2, 4, 6));
-  expect_refused(text, "Schwingstärke",
-                 ", line 22: has no channel Schwingstärke; it is not in UTF-8, so name the channel "
-                 "by its number, 1 to 2");
+  expect_refused(
+      text, "Schwingstärke",
+      ", line 22: has no channel Schwingstärke; the file is not in UTF-8, so name the channel "
+      "by its number, 1 to 2");
 }
 
-TEST_F(Lvm, WithoutHeadersIsATable) {
+TEST_F(Lvm, IsReadAsATableWithoutHeaders) {
   EXPECT_THAT(samples("0.0\t1.5\n0.1\t-2\n", "2"), ElementsAre(1.5, -2));
 }
 

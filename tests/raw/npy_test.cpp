@@ -57,27 +57,26 @@ TEST(Npy, HoldsRowsAndColumns) {
   EXPECT_THAT(read_here(columns, "(2,:)"), ElementsAre(2, 4, 6));
   EXPECT_ERROR(read_here(rows, "1"), Exit::bad_input,
                "is not a vector, but a matrix of 2 x 3; name a row of it: (1,:)");
-  EXPECT_ERROR(read_here(rows, "(3,:)"), Exit::bad_input, "has 2 rows, no 3");
+  EXPECT_ERROR(read_here(rows, "(3,:)"), Exit::bad_input, "has 2 rows; number 3 does not exist");
   EXPECT_ERROR(read_here(rows, "x"), Exit::bad_input, "a.npy: has no variable x");
 }
 
-TEST(Npy, ThatHoldsNoNumbersOrIsDamagedIsRefused) {
+TEST(Npy, IsRefusedIfDamagedOrWithoutNumbers) {
   const Folder folder;
   const auto expect_refused = [&](const std::string& bytes, const std::string& why) {
     EXPECT_ERROR(read_here(folder.write("a.npy", bytes), "1"), Exit::bad_input, why);
   };
-  expect_refused(
-      npy<double>("<c16", "False", "(1,)", {1, 2}),
-      "holds complex numbers, 'c16' of NumPy, which is not read; save its real part: np.save(");
-  expect_refused(npy<double>("|O", "False", "(1,)", {1}), "holds Python objects, 'O' of NumPy");
+  expect_refused(npy<double>("<c16", "False", "(1,)", {1, 2}),
+                 "holds complex numbers (NumPy type 'c16'), which is not supported; save its real "
+                 "part: np.save(");
+  expect_refused(npy<double>("|O", "False", "(1,)", {1}), "holds Python objects (NumPy type 'O')");
   const std::string whole = npy<double>("<f8", "False", "(3,)", {1, 2, 3});
   expect_refused(whole.substr(0, whole.size() - 1),
                  "truncated or damaged: 23 bytes of values, 24 expected");
   expect_refused(whole + "x", "truncated or damaged");
   for (const std::size_t size : {6, 9, 11, 60})
     expect_refused(whole.substr(0, size), "its header cannot be read");
-  expect_refused(npy<double>("<f8", "False", "(99999999999,)", {1}),
-                 "is said to have 99999999999 values");
+  expect_refused(npy<double>("<f8", "False", "(99999999999,)", {1}), "declares 99999999999 values");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(ReadAll, GivesSamplesAndColumnsOfEachFileInTheirOrder) {
+TEST(ReadAll, GivesSamplesAndColumnsOfEachFileInOrder) {
   const Folder folder;
   const Signals signals =
       read_all({folder.write("b.csv", "0.5,1\n1.5,2\n"), folder.write("a.csv", "7\n8\n9\n"),
@@ -37,7 +37,7 @@ TEST(ReadAll, ReadsMoreThanAPipeHolds) {
   for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(signals.samples[i * 20000 + 19999], 19999);
 }
 
-TEST(ReadAll, ReadsFilesOfOtherLengthsThanTheFirstOnes) {
+TEST(ReadAll, ReadsFilesOfDifferentLengths) {
   const Folder folder;
   std::vector<std::filesystem::path> files;
   for (int i = 1; i <= 40; ++i) {

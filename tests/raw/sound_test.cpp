@@ -77,7 +77,7 @@ TEST(Sound, IsReadByChannelWithAFullScaleOf1) {
   EXPECT_EQ(read_sound(file, "1").sample_rate_hz, rate_hz);
 }
 
-TEST(Sound, MayBeOfAnyOfItsFormatsWhateverTheNameSays) {
+TEST(Sound, IsReadInAnyFormatWhateverItsName) {
   const Folder folder;
   for (const int format :
        {SF_FORMAT_WAV, SF_FORMAT_AIFF, SF_FORMAT_W64, SF_FORMAT_RF64, SF_FORMAT_FLAC}) {
@@ -86,25 +86,25 @@ TEST(Sound, MayBeOfAnyOfItsFormatsWhateverTheNameSays) {
   }
 }
 
-TEST(Sound, HasTheRateThatIsExpected) {
+TEST(Sound, MustHaveTheExpectedRate) {
   const Folder folder;
   const fs::path file = folder.write("a.wav", wav());
   expect_samples(read_here(file, "1", rate_hz), 1);
   EXPECT_ERROR(read_here(file, "1", 12000), Exit::bad_input,
-               "a.wav: is sampled at 48000 Hz, by what it says itself, not at 12000 Hz");
+               "a.wav: declares a sample rate of 48000 Hz, not 12000 Hz");
 }
 
-TEST(Sound, HasChannelsThatAreNumbers) {
+TEST(Sound, HasNumberedChannels) {
   const Folder folder;
   const fs::path file = folder.write("a.wav", wav());
   for (const char* channel : {"0", "3", "left", ""}) {
-    EXPECT_ERROR(read_here(file, channel), Exit::bad_input,
-                 std::string("a.wav: has no channel ") + channel +
-                     "; the variable is the number of one, 1 to 2");
+    EXPECT_ERROR(
+        read_here(file, channel), Exit::bad_input,
+        std::string("a.wav: has no channel ") + channel + "; name a channel by its number, 1 to 2");
   }
 }
 
-TEST(Sound, ThatIsCutIsRefused) {
+TEST(Sound, IsRefusedIfTruncated) {
   const Folder folder;
   for (const int format :
        {SF_FORMAT_WAV, SF_FORMAT_AIFF, SF_FORMAT_FLAC, SF_FORMAT_W64, SF_FORMAT_RF64}) {
@@ -119,7 +119,7 @@ TEST(Sound, ThatIsCutIsRefused) {
 }
 
 /// Flips one bit in the size of the samples, which no checksum covers.
-TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
+TEST(Sound, IsRefusedIfItsLengthContradictsTheHeader) {
   const Folder folder;
   std::string bytes = wav();
   const std::size_t size = bytes.find("data") + 4;
@@ -139,7 +139,7 @@ TEST(Sound, ThatEndsOtherwiseThanItSaysIsRefused) {
   expect_samples(read_here(folder.write("a.wav", longer), "1"), 1);
 }
 
-TEST(Sound, WhoseLengthWasNeverWrittenIsRefusedWithAWayOut) {
+TEST(Sound, IsRefusedWithARepairIfItsLengthWasNeverWritten) {
   const Folder folder;
   std::string bytes = wav();
   bytes.replace(bytes.find("data") + 4, 4, std::string(4, '\0'));

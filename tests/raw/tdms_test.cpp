@@ -68,7 +68,7 @@ TEST_F(Tdms, HasChannelsByPathOrNumberInEitherByteOrderAndLayout) {
   }
 }
 
-TEST_F(Tdms, ThatHasNoSuchChannelListsThem) {
+TEST_F(Tdms, ListsChannelsIfTheRequestedOneIsMissing) {
   const std::string bytes = two_channels(write_, false);
   for (const char* wanted : {"3", "0", "acc", "rig", ""}) {
     expect_refused(bytes, wanted,
@@ -76,13 +76,13 @@ TEST_F(Tdms, ThatHasNoSuchChannelListsThem) {
   }
 }
 
-TEST_F(Tdms, SaysItsRate) {
+TEST_F(Tdms, GivesItsSampleRate) {
   const fs::path file = written(two_channels(write_, false));
   EXPECT_THAT(read_tdms(file, "rig/acc").sample_rate_hz.value_or(0), DoubleEq(12000));
   EXPECT_EQ(read_tdms(file, "rig/tacho").sample_rate_hz, std::nullopt);
   EXPECT_EQ(read_here(file, "rig/acc", 12000).size(), 3U);
   EXPECT_ERROR(read_here(file, "rig/acc", 25600), Exit::bad_input,
-               "is sampled at 12000 Hz, by what it says itself, not at 25600 Hz");
+               "declares a sample rate of 12000 Hz, not 25600 Hz");
 }
 
 TEST_F(Tdms, HasNumbersOfAnyType) {
@@ -107,7 +107,7 @@ TEST_F(Tdms, HasNumbersOfAnyType) {
   EXPECT_THAT(read_as(tdms::single, std::vector<float>{0.5F, -1}), ElementsAre(0.5, -1));
 }
 
-TEST_F(Tdms, MayHaveManySegmentsWhoseMetadataSayOnlyWhatChanged) {
+TEST_F(Tdms, MayHaveSegmentsWithPartialMetadata) {
   const auto shorts = [&](const Shorts& values) { return write_.numbers(values); };
   const std::string a = "/'g'/'a'";
   const std::string b = "/'g'/'b'";
@@ -130,7 +130,7 @@ TEST_F(Tdms, MayHaveManySegmentsWhoseMetadataSayOnlyWhatChanged) {
   EXPECT_EQ(read_tdms(written(bytes), "g/a").sample_rate_hz, 1000);
 }
 
-TEST_F(Tdms, HasOtherThingsBetweenItsNumbers) {
+TEST_F(Tdms, SkipsOtherDataBetweenNumbers) {
   const std::string labels = write_.number(std::uint32_t{1}) + write_.number(std::uint32_t{4}) +
                              "abcd";  // ends of two texts, then their letters
   const std::string bytes =
@@ -144,7 +144,7 @@ TEST_F(Tdms, HasOtherThingsBetweenItsNumbers) {
   expect_refused(bytes, "2", "channel it's/when does not hold numbers, but time stamps");
 }
 
-TEST_F(Tdms, IsScaledAsItSays) {
+TEST_F(Tdms, AppliesItsScales) {
   const auto scaled = [&](const std::vector<std::string>& properties) {
     return write_.segment(tdms::new_values,
                           {write_.object("/'g'/'a'", write_.index(tdms::int16, 3), properties)},
@@ -177,14 +177,14 @@ TEST_F(Tdms, IsScaledAsItSays) {
   linear[1] = words("NI_Scaling_Status", "scaled");
   EXPECT_THAT(samples(scaled(linear), "1"), ElementsAre(-2, 0, 4));
   expect_refused(scaled({words("NI_Scale[0]_Scale_Type", "Thermocouple")}), "1",
-                 "channel g/a has a scale of the type 'Thermocouple', which is not read");
+                 "channel g/a has a scale of the type 'Thermocouple', which is not supported");
   expect_refused(scaled({words("NI_Scale[0]_Scale_Type", "Linear")}), "1",
                  "channel g/a is damaged: its scale has no NI_Scale[0]_Linear_Y_Intercept");
   both.back() = count("NI_Scale[1]_Polynomial_Input_Source", 1);
-  expect_refused(scaled(both), "1", "channel g/a is damaged: its scales refer to none");
+  expect_refused(scaled(both), "1", "channel g/a is damaged: the source of a scale does not exist");
 }
 
-TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
+TEST_F(Tdms, IsReadToTheLastWholeChunkIfTheWriterCrashed) {
   const auto numbers = [&](const Doubles& values) { return write_.numbers(values); };
   const std::vector<std::string> objects{write_.object("/'g'/'a'", write_.index(tdms::dbl, 2)),
                                          write_.object("/'g'/'b'", write_.index(tdms::dbl, 1))};
@@ -210,7 +210,7 @@ TEST_F(Tdms, WhoseWriterCrashedIsReadUpToItsLastWholeChunk) {
   EXPECT_THAT(samples(rows, "g/b"), ElementsAre(-1, -2));
 }
 
-TEST_F(Tdms, ThatIsShorterThanItSaysIsRefused) {
+TEST_F(Tdms, IsRefusedIfShorterThanDeclared) {
   const std::string one = two_channels(write_, false);
   const std::string bytes = one + one;
   for (std::size_t size = 1; size < bytes.size(); size += 3) {
@@ -220,25 +220,26 @@ TEST_F(Tdms, ThatIsShorterThanItSaysIsRefused) {
   }
   expect_refused(bytes.substr(0, bytes.size() - 1), "1",
                  "truncated or damaged: its segment at byte " + std::to_string(one.size()) +
-                     " is said to have " + std::to_string(one.size() - 28) + " bytes, and " +
+                     " declares " + std::to_string(one.size() - 28) + " bytes, but " +
                      std::to_string(one.size() - 29) + " are there");
   const std::string second = std::to_string(one.size());
   for (const std::string& cut : {one + "x", one + one.substr(0, 27)}) {
     expect_refused(cut, "1",
                    "truncated or damaged: its segment at byte " + second +
-                       " ends within its first 28 bytes; where the writer crashed, "
+                       " ends within its first 28 bytes; if the writer crashed, "
                        "`truncate -s " +
-                       second + " FILE` leaves what is whole");
+                       second + " FILE` keeps the complete part");
   }
 }
 
-TEST_F(Tdms, WhoseMetadataAreImpossibleIsRefused) {
+TEST_F(Tdms, IsRefusedWithImpossibleMetadata) {
   const auto with = [&](const std::string& object, const std::string& raw = "12345678") {
     return write_.segment(tdms::new_values, {object}, raw);
   };
   const std::string path = "/'g'/'a'";
   const std::uint64_t huge = 1ULL << 62U;
-  expect_refused(with(write_.object(path, write_.as_before())), "1", "damaged: an object is said");
+  expect_refused(with(write_.object(path, write_.as_before())), "1",
+                 "damaged: an object refers to earlier values");
   expect_refused(with(write_.object(path, write_.index(77, 1))), "1", "damaged: an object has");
   expect_refused(with(write_.object("g/a", write_.index(tdms::dbl, 1))), "1",
                  "damaged: an object has a path");
@@ -257,15 +258,15 @@ TEST_F(Tdms, WhoseMetadataAreImpossibleIsRefused) {
       "1", "truncated or damaged: its segment at byte 0 has more bytes");
 }
 
-TEST_F(Tdms, OfDaqmxIsRefusedByName) {
+TEST_F(Tdms, IsRefusedIfItHoldsRawDaqmxData) {
   const std::string scaler = write_.number(std::uint32_t{0x1269}) + std::string(30, '\1');
   for (const std::uint32_t contents : {tdms::new_values | tdms::daqmx, tdms::new_values}) {
     expect_refused(write_.segment(contents, {write_.object("/'g'/'a'", scaler)}, "1234"), "1",
-                   "holds raw data of NI-DAQmx, which are not read: open it in DIAdem");
+                   "holds raw data of NI-DAQmx, which are not supported; save the scaled channel");
   }
 }
 
-TEST_F(Tdms, HasAnIndexThatIsNoRecording) {
+TEST_F(Tdms, RefusesItsIndexFile) {
   EXPECT_ERROR(read_here(folder_.write("a.tdms_index", "TDSh" + std::string(24, '\0')), "1"),
                Exit::bad_input, "is the index of a TDMS file: name the file that ends in .tdms");
 }

@@ -32,7 +32,7 @@ Times named(const Numbers& numbers, double unit_s = 0) {
   return times_in(numbers, {.column = 1, .unit_s = unit_s, .is_named = true});
 }
 
-TEST(TimeNames, SayTheirUnit) {
+TEST(TimeNames, GiveTheirUnit) {
   for (const std::string name :
        {"Time (s)", "t[s]", "Zeit/s", "time_s", "Time, s", "seconds", "\xE6\x97\xB6\xE9\x97\xB4(s)",
         "TIME <sec>", "t / s", "Temps (s)", "X axis (s)"}) {
@@ -71,7 +71,7 @@ TEST(Times, ShowMissingSamples) {
   EXPECT_EQ(two.longest_after, 1994U);
 }
 
-TEST(Times, ShowNoneInWholeOrCoarseOnes) {
+TEST(Times, ShowNoMissingSamplesIfWholeOrCoarse) {
   for (const double resolution_s : {1e-6, 1e-5, 1e-4, 1e-3}) {
     EXPECT_EQ(unnamed(times_without(0, 0, resolution_s)).gaps, 0U) << resolution_s;
   }
@@ -80,7 +80,7 @@ TEST(Times, ShowNoneInWholeOrCoarseOnes) {
 }
 
 /// At 952 Hz about every twentieth time skips a millisecond.
-TEST(Times, AreToldFromRoundedOnesByTheRate) {
+TEST(Times, AreDistinguishedFromRoundedOnesByTheRate) {
   EXPECT_TRUE(are_rounded(named(times_without(0, 0, 1e-3, 952)), 952));
   EXPECT_FALSE(are_rounded(named(times_without(1234, 300, 1e-3, 1000)), 1000));
   Numbers every_tenth_lost;
@@ -90,7 +90,7 @@ TEST(Times, AreToldFromRoundedOnesByTheRate) {
   EXPECT_FALSE(are_rounded(unnamed(every_tenth_lost), 1000));
 }
 
-TEST(Times, AreNoneInASignal) {
+TEST(Times, AreNotFoundInASignal) {
   Numbers signal;
   for (int i = 0; i < 5000; ++i) signal.push_back(std::sin(0.7 * i));
   for (const Times& times : {unnamed(signal), named(signal)}) {
@@ -100,7 +100,7 @@ TEST(Times, AreNoneInASignal) {
   }
 }
 
-TEST(Times, ShowWhereTheyGoBack) {
+TEST(Times, ShowStepsBack) {
   Numbers times = times_without(0, 0);
   const Numbers again = times;
   times.insert(times.end(), again.begin(), again.end());
@@ -125,7 +125,7 @@ TEST(Times, ContradictARate) {
   EXPECT_FALSE(contradicting_rate(unnamed(times_without(1000, 500)), 12000));
 }
 
-TEST(Times, MayBeInAnyUnitThatTheirNameDoesNotSay) {
+TEST(Times, MayBeInAnyUnitIfTheNameHasNone) {
   Numbers ms = times_without(0, 0);
   for (double& time : ms) time *= 1000;
   EXPECT_FALSE(contradicting_rate(named(ms), 12000));
@@ -140,7 +140,7 @@ TEST(Times, MayBeInAnyUnitThatTheirNameDoesNotSay) {
 }
 
 /// Times such as steps of 39 us printed as 30 or 40, or 0.0833 ms printed as 0 or 1 ms.
-TEST(Times, ThatAreRoundedContradictNoRate) {
+TEST(Times, DoNotContradictARateIfRounded) {
   for (const double rate_hz : {25600., 25000., 9700., 12000., 952.}) {
     for (const double resolution_s : {1e-6, 1e-5, 1e-4, 1e-3}) {
       const Times times = named(times_without(0, 0, resolution_s, rate_hz), 1);
@@ -150,7 +150,7 @@ TEST(Times, ThatAreRoundedContradictNoRate) {
   EXPECT_TRUE(contradicting_rate(named(times_without(0, 0, 1e-3), 1), 25600));
 }
 
-TEST(Times, AreUnevenWhereTheyScatterMoreThanRoundingDoes) {
+TEST(Times, AreUnevenIfTheyScatterMoreThanRounding) {
   Stream random("steps");
   Numbers uneven;
   double t = 0;
@@ -175,7 +175,7 @@ TEST(Times, MayBeDays) {
   EXPECT_TRUE(contradicting_rate(named(days), 25600));
 }
 
-TEST(Times, ThatMayCountSamplesContradictNoRate) {
+TEST(Times, DoNotContradictARateIfTheyMayCountSamples) {
   Numbers count;
   for (int i = 0; i < 5000; ++i) count.push_back(i);
   EXPECT_FALSE(contradicting_rate(unnamed(count), 12000));
@@ -193,7 +193,7 @@ std::string table(const std::string& header, double scale, const Numbers& times)
   return text;
 }
 
-TEST(Times, OfATextAreThoseNextToItsSignal) {
+TEST(Times, AreTakenNextToTheSignalInText) {
   const Folder folder;
   const auto file =
       folder.write("run.csv", table("time,acceleration\n", 1, times_without(1000, 40)));
@@ -207,7 +207,7 @@ TEST(Times, OfATextAreThoseNextToItsSignal) {
   EXPECT_EQ(signal_here(dates, "x").times.column, 0U);
 }
 
-TEST(Times, StandInTheColumnThatIsNamedSo) {
+TEST(Times, AreInTheColumnNamedTime) {
   const Folder folder;
   std::string text = "No.;x;Time\n;g;[ms]\n";
   for (int i = 0; i < 100; ++i) {
@@ -220,13 +220,13 @@ TEST(Times, StandInTheColumnThatIsNamedSo) {
   EXPECT_NEAR(times.step, 0.5, 1e-6);
 }
 
-TEST(Times, OfAnotherRateAreRefusedWhereTheirUnitIsSaid) {
+TEST(Times, AreRefusedAtAnotherRateIfTheirUnitIsKnown) {
   const Folder folder;
   const Numbers times = times_without(0, 0);
   const auto file = folder.write("run.csv", table("Time (s),x\n", 1, times));
   EXPECT_ERROR(signal_here(file, "x", 48000), Exit::bad_input,
-               "run.csv: is sampled at 12000 Hz, by the times in column 1, which step by "
-               "8.3333e-05 s, not at 48000 Hz: correct its sample_rate_hz");
+               "run.csv: is sampled at 12000 Hz by the times in column 1, which step by 8.3333e-05 "
+               "s, not at 48000 Hz; correct its sample_rate_hz");
   EXPECT_EQ(signal_here(file, "x", 12000).samples.size(), 5000U);
   EXPECT_EQ(signal_here(file, "x").samples.size(), 5000U);
   const auto ms = folder.write("ms.csv", table("Time,x\n(ms),(g)\n", 1000, times));

@@ -124,14 +124,14 @@ TEST_F(Uff, HasSeveralDataSetsByNumberOrName) {
   expect_refused(units, "has no time record (data set 58); it has data sets 164");
 }
 
-TEST_F(Uff, SaysItsRate) {
+TEST_F(Uff, GivesItsSampleRate) {
   const fs::path file = folder_.write("a.uff", text_set({}, three_singles));
   EXPECT_THAT(read_uff(file, "1").sample_rate_hz.value_or(0), DoubleNear(12000, 0.1));
   EXPECT_EQ(read_here(file, "1", 12000).size(), 3U);
-  EXPECT_ERROR(read_here(file, "1", 25600), Exit::bad_input, "by what it says itself");
+  EXPECT_ERROR(read_here(file, "1", 25600), Exit::bad_input, "declares a sample rate of");
 }
 
-TEST_F(Uff, ThatHoldsNoTimeRecordSaysWhatItIs) {
+TEST_F(Uff, IsRefusedWithItsTypeIfNotATimeRecord) {
   expect_refused(text_set({.function = 4, .ordinate = 5, .abscissa = 18}, three_singles),
                  "data set 1 is a frequency response function, not a time record");
   expect_refused(text_set({.function = 9}, three_singles),
@@ -142,7 +142,7 @@ TEST_F(Uff, ThatHoldsNoTimeRecordSaysWhatItIs) {
   expect_refused(text_set({.even = 0}, three_singles), "data set 1 has uneven spacing");
 }
 
-TEST_F(Uff, ThatIsCutOrDamagedIsRefused) {
+TEST_F(Uff, IsRefusedIfTruncatedOrDamaged) {
   const std::string whole = text_set({}, three_singles);
   for (std::size_t size = 7; size < whole.size() - 1; size += 5) {
     SCOPED_TRACE(size);
@@ -155,22 +155,23 @@ TEST_F(Uff, ThatIsCutOrDamagedIsRefused) {
   }
   expect_refused(text_set({.count = 4}, three_singles),
                  "data set 1 is truncated or damaged: 3 values, 4 expected");
-  expect_refused(text_set({}, "  1.50000E+00 -2.0x000E+00  3.00000E-09\n"),
-                 "data set 1 has a line 14 that is not numbers 13 columns wide: '1.50000E+00 ");
+  expect_refused(
+      text_set({}, "  1.50000E+00 -2.0x000E+00  3.00000E-09\n"),
+      "data set 1 has a line 14 that does not hold numbers 13 columns wide: '1.50000E+00 ");
   expect_refused(binary_set({.count = 4}, bytes_of_numbers<float>({1, 2, 3}, false), false),
                  "data set 1 is truncated or damaged: 12 bytes of values, 4 values expected");
   expect_refused(binary_set({}, bytes_of_numbers<float>({1, 2, 3}, false), false, "xx"),
-                 "truncated or damaged: its values end otherwise than it says");
+                 "truncated or damaged: its values do not end where it declares");
   std::string vax = bytes;
   vax.replace(vax.find("58b") + 3, 12, "     1     1");
-  expect_refused(vax, "truncated or damaged: its numbers are not those of IEEE 754");
+  expect_refused(vax, "truncated or damaged: its numbers are not in IEEE 754 format");
 }
 
-TEST_F(Uff, IsToldFromColumnsOfWholeNumbers) {
+TEST_F(Uff, IsDistinguishedFromColumnsOfWholeNumbers) {
   EXPECT_THAT(read_here(folder_.write("a.txt", "    -1\n     3\n    58\n"), "1"),
               ElementsAre(-1, 3, 58));
   EXPECT_ERROR(read_here(folder_.write("a.uff", "1\n2\n"), "1"), Exit::bad_input,
-               "a.uff: truncated, damaged or not what '.uff' says");
+               "a.uff: truncated, damaged or not a '.uff' file");
 }
 
 }  // namespace

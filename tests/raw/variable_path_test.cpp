@@ -36,7 +36,7 @@ TEST(VariablePath, HasFieldsElementsAndALine) {
   EXPECT_EQ(described("s.data(:,12)"), "s data column 12");
 }
 
-TEST(VariablePath, IsNothingElse) {
+TEST(VariablePath, RefusesOtherTexts) {
   for (const char* text :
        {"",       ".x",       "x.",      "x..y",      "x(0)",   "x(a)",   "x(-1)",  "x[Name]",
         "x[=a]",  "x(1",      "x(1)(2)", "x[a=b](1)", "x(0,:)", "x(:,0)", "x(:,:)", "x(2,0)",

@@ -77,7 +77,7 @@ TEST_F(PublishedTables, NumbersMustBePercentages) {
 
 TEST_F(PublishedTables, RowsMustBeAsLongAsTheHeader) {
   expect_refused(methods_, "dataset,method,50to1\ncwru,vae\n",
-                 ", line 2: has 2 fields, the header has 3");
+                 ", line 2: has 2 fields, but the header has 3");
 }
 
 TEST_F(PublishedTables, HeadersMustBeKnown) {

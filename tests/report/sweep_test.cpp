@@ -48,7 +48,7 @@ TEST(SweepPoints, ThatCannotBeAreRefused) {
   expect_usage_error(options_of("batch=1", "batch=5"), "--centre: 'batch=5' is none of --points");
   expect_usage_error(options_of("", "batch=5"), "--points is empty");
   expect_usage_error(options_of("batch=1", "batch=1", "7to1"), "7to1");
-  expect_usage_error(options_of("batch=1", "batch=1", "100to1"), "go together");
+  expect_usage_error(options_of("batch=1", "batch=1", "100to1"), "cannot be combined");
 }
 
 class SweepTables : public StoredRun {

@@ -256,7 +256,7 @@ TEST_F(TransferOfARun, NeedsEveryCellOfEveryDataset) {
   save("diagnosis", diagnosis("smote", "1to1", 495, 1, 12), two.diagnosis("smote", "1to1", 1));
   EXPECT_ERROR(read(), Exit::bad_input,
                "1 of the files that the tables need is missing or refused; no table was written "
-               "(make the cells named above, or ask for fewer)");
+               "(make the cells named above, or request fewer)");
 }
 
 TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {

@@ -34,12 +34,12 @@ GridOptions requested_by(const std::vector<std::string>& classifiers) {
           .classifiers = classifiers};
 }
 
-TEST(GridOfClassifiers, IsThePapersAloneWhereNoneIsNamed) {
+TEST(GridOfClassifiers, HasOnlyThePapersByDefault) {
   EXPECT_THAT(names_of(resolve(requested_by({}))),
               ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn"));
 }
 
-TEST(GridOfClassifiers, HasTheBarOfTheBaselineWhateverIsNamed) {
+TEST(GridOfClassifiers, AlwaysHasTheBaselineByNearest) {
   EXPECT_THAT(names_of(resolve(requested_by({"wdcnn"}))),
               ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "none 100to1 nearest"));
   EXPECT_THAT(names_of(resolve(requested_by({"nearest wdcnn-spectra"}))),
@@ -50,13 +50,13 @@ TEST(GridOfClassifiers, HasTheBarOfTheBaselineWhateverIsNamed) {
   EXPECT_THAT(names_of(resolve(generated)), ElementsAre("vae 10to1 wdcnn"));
 }
 
-TEST(GridOfClassifiers, RefusesNamesThatNoneHas) {
+TEST(GridOfClassifiers, RefusesUnknownNames) {
   EXPECT_ERROR(resolve(requested_by({"svm"})), Exit::usage, "unknown classifier 'svm'");
   EXPECT_ERROR(resolve(requested_by({"wdcnn", "wdcnn"})), Exit::usage,
                "--classifiers names wdcnn twice");
 }
 
-TEST(GridOfClassifiers, HasThoseOfOneAlone) {
+TEST(GridOfClassifiers, MayHaveOneClassifier) {
   EXPECT_THAT(names_of(of_classifier(resolve(requested_by({"wdcnn"})), "nearest")),
               ElementsAre("none 100to1 nearest"));
 }
@@ -72,14 +72,14 @@ class CellsOfClassifiers : public StoredRun {
   }
 };
 
-TEST_F(CellsOfClassifiers, LieInAFolderForEach) {
+TEST_F(CellsOfClassifiers, AreInAFolderForEachClassifier) {
   EXPECT_EQ(layout_.diagnosis("vae", "10to1", 3),
             layout_.folder() / "seed3/vae/10to1/wdcnn/diagnosis.h5");
   EXPECT_EQ(layout_.diagnosis("vae", "10to1", 3, "nearest"),
             layout_.folder() / "seed3/vae/10to1/nearest/diagnosis.h5");
 }
 
-TEST_F(CellsOfClassifiers, AreFoundThoughNobodyAsksForThem) {
+TEST_F(CellsOfClassifiers, AreFoundWithoutARequest) {
   add_all();
   add_reference();
   add(by("wdcnn-spectrum", diagnosis("vae", "2to1", 145, 1, 20)));
@@ -94,7 +94,7 @@ TEST_F(CellsOfClassifiers, AreFoundThoughNobodyAsksForThem) {
   EXPECT_EQ(names_of(held_grid(layout_, grid_, Held(layout_))), names_of(all.grid));
 }
 
-TEST_F(CellsOfClassifiers, AreNamedWhereTheyAreMissing) {
+TEST_F(CellsOfClassifiers, AreNamedIfMissing) {
   add_all();
   const Results results = collected(resolve(requested_by({"wdcnn"}))).results;
   EXPECT_THAT(results.problems,
@@ -102,7 +102,7 @@ TEST_F(CellsOfClassifiers, AreNamedWhereTheyAreMissing) {
                           HasSubstr("method none by nearest, ratio 100to1, seed 1: ")));
 }
 
-TEST_F(CellsOfClassifiers, OfAnotherThanTheirPlaceSaysAreRefused) {
+TEST_F(CellsOfClassifiers, AreRefusedInTheFolderOfAnotherClassifier) {
   add_all();
   std::filesystem::create_directories(
       layout_.diagnosis("vae", "10to1", 0, "nearest").parent_path());
@@ -112,7 +112,7 @@ TEST_F(CellsOfClassifiers, OfAnotherThanTheirPlaceSaysAreRefused) {
               ElementsAre(HasSubstr("the classifier is wdcnn, here it must be nearest")));
 }
 
-TEST_F(CellsOfClassifiers, AreMissingForTheStepThatLeftNoResult) {
+TEST_F(CellsOfClassifiers, AreMissingBecauseOfTheStepWithoutAResult) {
   const auto cell = layout_.diagnosis("vae", "10to1", 0, "nearest");
   EXPECT_EQ(Layout::unfinished_log(cell), std::nullopt);
   folder_.write("run/cwru/seed0/vae/10to1/nearest/diagnose.log", "");
@@ -121,7 +121,7 @@ TEST_F(CellsOfClassifiers, AreMissingForTheStepThatLeftNoResult) {
   EXPECT_EQ(Layout::unfinished_log(cell), layout_.folder() / "seed0/vae/train.log");
 }
 
-TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
+TEST_F(CellsOfClassifiers, DefaultToTheStartedOnes) {
   add_all();
   const GridOptions nothing_requested{
       .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
@@ -138,7 +138,7 @@ TEST_F(CellsOfClassifiers, ThatAreBegunAreThoseOfARunThatIsLookedAt) {
                           "vae 2to1 wdcnn-spectrum", "none 100to1 nearest"));
 }
 
-TEST_F(CellsOfClassifiers, AreNotBegunWhereTheClassifierAloneIsKept) {
+TEST_F(CellsOfClassifiers, AreNotStartedIfOnlyTheClassifierIsKept) {
   add_all();
   folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/classifier.h5", "");
   const GridOptions nothing_requested{
@@ -149,7 +149,7 @@ TEST_F(CellsOfClassifiers, AreNotBegunWhereTheClassifierAloneIsKept) {
 }
 
 /// Without known faults a run may have only rules and symptom-net.
-TEST_F(CellsOfClassifiers, ThatAreBegunNeedNotBeOfThePapers) {
+TEST_F(CellsOfClassifiers, MayBeStartedWithoutThePapersClassifier) {
   add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
   const GridOptions nothing_requested{
       .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};

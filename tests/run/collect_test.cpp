@@ -29,7 +29,7 @@ class Cells : public StoredRun {
   }
 };
 
-TEST_F(Cells, LieWhereTheGridKeepsThem) {
+TEST_F(Cells, AreInTheFoldersOfTheGrid) {
   const Layout layout("results/try", "cwru");
   EXPECT_EQ(layout.diagnosis("vae", "10to1", 3),
             "results/try/cwru/seed3/vae/10to1/wdcnn/diagnosis.h5");
@@ -41,7 +41,7 @@ TEST_F(Cells, LieWhereTheGridKeepsThem) {
   EXPECT_EQ(layout.tables_latex(), "results/try/cwru/tables.tex");
 }
 
-TEST_F(Cells, AreAllThere) {
+TEST_F(Cells, AreAllFound) {
   add_all();
   const Results results = collect(layout_, grid_);
   EXPECT_THAT(results.problems, ElementsAre());
@@ -51,7 +51,7 @@ TEST_F(Cells, AreAllThere) {
 }
 
 /// 900 rpm tested, 1200 known: 0.75. Empty if every fault is tested in its known condition.
-TEST_F(Cells, SayByWhatTheTestedSpeedDiffersFromTheKnownOne) {
+TEST_F(Cells, GiveTheRatioOfTestedToKnownSpeed) {
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
   const auto speed_ratio = [&] {
     add(record);
@@ -65,7 +65,7 @@ TEST_F(Cells, SayByWhatTheTestedSpeedDiffersFromTheKnownOne) {
   EXPECT_EQ(speed_ratio(), std::nullopt);
 }
 
-TEST_F(Cells, AreNamedWhereTheyAreMissing) {
+TEST_F(Cells, AreNamedIfMissing) {
   add_all();
   std::filesystem::remove(layout_.diagnosis("none", "100to1", 1));
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 0));
@@ -82,20 +82,20 @@ TEST_F(Cells, AreNamedWhereTheyAreMissing) {
   EXPECT_EQ(results.exit, Exit::input_missing);
 }
 
-TEST_F(Cells, ThatFailedAreNamedWithTheirLog) {
+TEST_F(Cells, AreNamedWithTheirLogIfFailed) {
   add_all();
   const auto cell = layout_.diagnosis("vae", "2to1", 0);
   const auto log = cell.parent_path() / "diagnose.log";
   std::filesystem::remove(cell);
   touch(log);
   const Results results = collect(layout_, grid_);
-  EXPECT_THAT(results.problems,
-              ElementsAre(EndsWith("; a step on the way to it failed or is not done, see " +
-                                   log.string())));
+  EXPECT_THAT(
+      results.problems,
+      ElementsAre(EndsWith("; a step before it failed or is missing, see " + log.string())));
   EXPECT_EQ(results.exit, Exit::input_missing);
 }
 
-TEST_F(Cells, AreMissingForTheFirstStepThatLeftNoResult) {
+TEST_F(Cells, AreMissingBecauseOfTheFirstStepWithoutAResult) {
   const auto score = layout_.score("vae", 0);
   const auto diagnosis = layout_.diagnosis("vae", "2to1", 0);
   const auto method = score.parent_path();
@@ -116,7 +116,7 @@ TEST_F(Cells, AreMissingForTheFirstStepThatLeftNoResult) {
   expect_missing(score, method / "score.log");
 }
 
-TEST_F(Cells, ThatAreDamagedOutweighMissingOnes) {
+TEST_F(Cells, GiveDamagedFilesPriorityOverMissingOnes) {
   add_all();
   std::filesystem::remove(layout_.score("vae", 0));
   std::filesystem::remove(layout_.score("vae", 1));
@@ -126,7 +126,7 @@ TEST_F(Cells, ThatAreDamagedOutweighMissingOnes) {
   EXPECT_EQ(results.exit, Exit::bad_input);
 }
 
-TEST_F(Cells, InTheWrongPlaceAreRefused) {
+TEST_F(Cells, AreRefusedInTheWrongPlace) {
   const auto path = layout_.diagnosis("vae", "2to1", 1);
   const auto expect_refused = [&](const scoring::DiagnosisRecord& record, const std::string& what) {
     add_all();
@@ -141,7 +141,7 @@ TEST_F(Cells, InTheWrongPlaceAreRefused) {
   expect_refused(other, "the dataset is hit-sm, here it must be cwru");
 }
 
-TEST_F(Cells, ThatDoNotBelongTogetherAreRefused) {
+TEST_F(Cells, AreRefusedIfTheyDoNotBelongTogether) {
   add_all();
   scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
   other.protocol = signal::Protocol::blocked;
@@ -167,7 +167,7 @@ TEST_F(Cells, ThatDoNotBelongTogetherAreRefused) {
                  Exit::bad_input);
 }
 
-TEST_F(Cells, WithScoresThatDoNotBelongTogetherAreRefused) {
+TEST_F(Cells, AreRefusedIfTheirScoresDoNotBelongTogether) {
   add_all();
   scoring::QualityRecord other = quality("vae", 1, 0.5);
   other.classes.pop_back();

@@ -28,7 +28,7 @@ void expect_usage_error(const GridOptions& options, const std::string& what) {
   }
 }
 
-TEST(Grid, HasNoneAt100to1AndTheOthersElsewhere) {
+TEST(Grid, HasNoneAt100to1AndOtherMethodsAtOtherRatios) {
   const Grid grid = resolve(
       {"cwru", {"vae", "none", "smote", "oracle"}, {"1to1", "100to1", "10to1"}, {"10", "2", "0"}});
   EXPECT_THAT(cells(grid), ElementsAre("vae 10to1", "vae 1to1", "none 100to1", "smote 10to1",
@@ -38,13 +38,13 @@ TEST(Grid, HasNoneAt100to1AndTheOthersElsewhere) {
   EXPECT_EQ(grid.dataset, "cwru");
 }
 
-TEST(Grid, ListsMayComeAsOneWord) {
+TEST(Grid, AcceptsListsAsOneWord) {
   const Grid grid = resolve({"cwru", {"none piae-dt"}, {"100to1,10to1", "1to1"}, {" 0, 1  2 "}});
   EXPECT_THAT(cells(grid), ElementsAre("none 100to1", "piae-dt 10to1", "piae-dt 1to1"));
   EXPECT_THAT(grid.seeds, ElementsAre(0, 1, 2));
 }
 
-TEST(Grid, OptionsTakeSeveralValuesAfterOneFlag) {
+TEST(Grid, AcceptsSeveralValuesAfterOneOption) {
   GridOptions options;
   cli::parse("--dataset cwru --methods none piae-dt --ratios 100to1 --seeds 0 1 2",
              [&](const cli::Options& command) { bind(command, options); });
@@ -64,7 +64,7 @@ const augment::CatalogueEntry ceiling{
 const diagnosis::Classifier network{.name = "network", .what = "", .input = ""};
 const diagnosis::Classifier rule{.name = "rule", .what = "", .input = "", .rule = true};
 
-TEST(Grid, RulesGoTogetherWithNoneAlone) {
+TEST(Grid, CombinesRulesOnlyWithNone) {
   for (const bool nothing_known : {false, true}) {
     EXPECT_TRUE(go_together(none, rule, nothing_known));
     for (const augment::CatalogueEntry& method : {learns, invents, ceiling}) {
@@ -73,7 +73,7 @@ TEST(Grid, RulesGoTogetherWithNoneAlone) {
   }
 }
 
-TEST(Grid, WhereNothingIsKnownOthersNeedWindowsFromAMethodThatNeedsNone) {
+TEST(Grid, NeedsMethodsWithoutKnownWindowsIfNothingIsKnown) {
   for (const augment::CatalogueEntry& method : {none, learns, invents, ceiling}) {
     EXPECT_TRUE(go_together(method, network, false)) << method.name;
   }
@@ -85,7 +85,7 @@ TEST(Grid, WhereNothingIsKnownOthersNeedWindowsFromAMethodThatNeedsNone) {
   EXPECT_TRUE(go_together("not in the catalogue", "wdcnn", false));
 }
 
-TEST(Grid, WhereNothingIsKnownThereIsNeitherNoneNorTheBar) {
+TEST(Grid, HasNeitherNoneNorItsNearestIfNothingIsKnown) {
   GridOptions options{"rig", {"none smote oracle"}, {"100to1 10to1"}, {"0"}, {"wdcnn nearest"}};
   EXPECT_THAT(cells(resolve(options)), ElementsAre("none 100to1", "smote 10to1", "oracle 10to1",
                                                    "none 100to1", "smote 10to1", "oracle 10to1"));
@@ -95,15 +95,15 @@ TEST(Grid, WhereNothingIsKnownThereIsNeitherNoneNorTheBar) {
   EXPECT_EQ(grid.combinations.back().classifier, "nearest");
   EXPECT_TRUE(grid.scored.empty());
   options.methods = {"none smote"};
-  expect_usage_error(options, "where no fault window is known, there are 'none' by rules, and");
+  expect_usage_error(options, "without known fault windows there are only 'none' by rules and");
   options.nothing_known = {"another"};
   EXPECT_EQ(resolve(options).combinations.size(), 4U);
 }
 
-TEST(Grid, RefusesMethodsRatiosAndSeedsThatCannotBe) {
+TEST(Grid, RefusesInvalidMethodsRatiosAndSeeds) {
   expect_usage_error({"cwru", {"none"}, {"3to1"}, {"0"}}, "unknown ratio '3to1'");
-  expect_usage_error({"cwru", {"none"}, {"10to1"}, {"0"}}, "none of these");
-  expect_usage_error({"cwru", {"vae"}, {"100to1"}, {"0"}}, "none of these");
+  expect_usage_error({"cwru", {"none"}, {"10to1"}, {"0"}}, "cannot be combined");
+  expect_usage_error({"cwru", {"vae"}, {"100to1"}, {"0"}}, "cannot be combined");
   expect_usage_error({"cwru", {"none"}, {"100to1"}, {"0 1 0"}}, "--seeds names 0 twice");
   expect_usage_error({"cwru", {"none"}, {"100to1"}, {"00 0"}}, "--seeds names 0 twice");
   expect_usage_error({"cwru", {"vae", "vae"}, {"1to1"}, {"0"}}, "--methods names vae twice");

@@ -35,7 +35,7 @@ class HeldCells : public StoredRun {
   const Grid part_ = grid("none", "100to1", "1");
 };
 
-TEST_F(HeldCells, AreAllOfTheRunWhateverIsAskedFor) {
+TEST_F(HeldCells, IncludeCellsBeyondTheRequest) {
   add_all();
   const Collected all = collected(grid_);
   EXPECT_THAT(names(all.grid), ElementsAre("none 100to1", "vae 10to1", "vae 2to1"));
@@ -50,14 +50,14 @@ TEST_F(HeldCells, AreAllOfTheRunWhateverIsAskedFor) {
   EXPECT_THAT(more.results.problems, IsEmpty());
 }
 
-TEST_F(HeldCells, AreInTheOrderOfTheCatalogue) {
+TEST_F(HeldCells, FollowTheOrderOfTheCatalogue) {
   add_all();
   add_method("smote");
   EXPECT_THAT(names(collected(grid("vae smote none", "2to1 10to1 100to1")).grid),
               ElementsAre("none 100to1", "smote 10to1", "smote 2to1", "vae 10to1", "vae 2to1"));
 }
 
-TEST_F(HeldCells, ThatAreAskedForMustBeThere) {
+TEST_F(HeldCells, MustExistIfRequested) {
   add_all();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));
   std::filesystem::remove(layout_.score("vae", 0));
@@ -71,14 +71,14 @@ TEST_F(HeldCells, ThatAreAskedForMustBeThere) {
   EXPECT_EQ(of_part.results.qualities.size(), 1U);
 }
 
-TEST_F(HeldCells, OfAMethodThatNobodyKnowsAreTakenWhereTheyAreAskedFor) {
+TEST_F(HeldCells, IncludeUnknownMethodsOnlyIfRequested) {
   add_all();
   add_method("toy");
   EXPECT_EQ(collected(grid_).results.diagnoses.size(), 6U);
   EXPECT_EQ(collected(grid("toy", "10to1 2to1")).results.diagnoses.size(), 10U);
 }
 
-TEST_F(HeldCells, ThatAreDamagedAreRefusedAlsoWhereTheyAreNotAskedFor) {
+TEST_F(HeldCells, AreRefusedIfDamagedEvenWithoutARequest) {
   add_all();
   std::filesystem::resize_file(layout_.diagnosis("vae", "2to1", 0), 1000);
   const Results results = collected(part_).results;
@@ -86,7 +86,7 @@ TEST_F(HeldCells, ThatAreDamagedAreRefusedAlsoWhereTheyAreNotAskedFor) {
   EXPECT_EQ(results.exit, Exit::bad_input);
 }
 
-TEST_F(HeldCells, AreShownWithTheirArtefactsInTheOrderOfTheResults) {
+TEST_F(HeldCells, ListTheirArtefactsInTheOrderOfTheResults) {
   add_all();
   add_method("smote");
   std::filesystem::copy_file(layout_.diagnosis("vae", "2to1", 1),
@@ -111,7 +111,7 @@ TEST_F(HeldCells, AreShownWithTheirArtefactsInTheOrderOfTheResults) {
   EXPECT_EQ(shown, wanted);
 }
 
-TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
+TEST_F(HeldCells, AreLeftOutByNameIfOutOfDate) {
   add_all();
   const auto cell = [](const std::string& method, const std::string& ratio, std::int64_t seed) {
     return AllOf(Field(&CellName::method, method), Field(&CellName::ratio, ratio),
@@ -129,7 +129,7 @@ TEST_F(HeldCells, ThatAreOutOfDateAreLeftOutByName) {
 }
 
 /// A report requests everything that the run has started.
-TEST_F(HeldCells, ThatAreAskedForAreLeftOutAsWell) {
+TEST_F(HeldCells, AreLeftOutEvenIfRequested) {
   add_all();
   const Results results = collected(grid_, {"seed0", "seed1/vae"}).results;
   EXPECT_THAT(names(results), ElementsAre("none 100to1 1"));
@@ -137,12 +137,12 @@ TEST_F(HeldCells, ThatAreAskedForAreLeftOutAsWell) {
   EXPECT_EQ(results.left_out.size(), 7U);  // none and twice vae; twice vae; two scores
 }
 
-TEST_F(HeldCells, OfSeedsThatAreAllLeftOutLeaveNoTrace) {
+TEST_F(HeldCells, LeaveNoTraceOfSeedsThatAreLeftOut) {
   add_all();
   EXPECT_THAT(collected(part_, {"seed0"}).grid.seeds, ElementsAre(1));
 }
 
-TEST_F(HeldCells, CountWhereAnotherRunHasThemToo) {
+TEST_F(HeldCells, CountOnlyIfAnotherRunHasThem) {
   add_all();
   const Layout other(folder_.path() / "other", "cwru");
   std::filesystem::copy(folder_.path() / "run", folder_.path() / "other",
@@ -154,7 +154,7 @@ TEST_F(HeldCells, CountWhereAnotherRunHasThemToo) {
   EXPECT_TRUE(Held(layout_).has(layout_.diagnosis("vae", "10to1", 0)));
 }
 
-TEST_F(HeldCells, OfNoRunAreNone) {
+TEST_F(HeldCells, AreEmptyWithoutARun) {
   EXPECT_THAT(Held(layout_).seeds(), IsEmpty());
   EXPECT_THAT(collected(part_).results.problems,
               ElementsAre(HasSubstr("none, ratio 100to1, seed 1")));
@@ -175,7 +175,7 @@ class HeldModels : public StoredRun {
   }
 };
 
-TEST_F(HeldModels, AreThoseAskedForAndThoseThatInfer) {
+TEST_F(HeldModels, IncludeRequestedModelsAndModelsThatInfer) {
   for (const char* method : {"piae-dt", "piae-dt-phase", "smote"}) touch(layout_.model(method, 0));
   touch(layout_.model("piae-dt", 1));
   touch(layout_.model("piae-dt", 2));

@@ -28,7 +28,7 @@ TEST_F(LayoutOfBefore, IsRefused) {
   expect_refused("seed100/readings/base/10to1/diagnosis.h5");
 }
 
-TEST_F(LayoutOfBefore, IsThatOfDiagnosesInTheFolderOfARatio) {
+TEST_F(LayoutOfBefore, HasDiagnosesInTheFolderOfARatio) {
   add_all();
   folder_.write("run/cwru/seed0/vae/2to1/diagnose.log", "");  // allowed: not a cell
   folder_.write("run/cwru/seed0/vae/diagnosis.h5", "");

@@ -7,7 +7,7 @@
 namespace piae::run {
 namespace {
 
-TEST(Selection, ScoresGoWithRatiosThatHaveGeneratedWindows) {
+TEST(Selection, KeepsScoresIfARatioHasGeneratedWindows) {
   const Combination score{"vae", "", ""};
   EXPECT_TRUE(Selection{}.has(score, 0));
   const Selection baseline{.ratios = {"100to1"}};
@@ -19,7 +19,7 @@ TEST(Selection, ScoresGoWithRatiosThatHaveGeneratedWindows) {
   EXPECT_THROW((void)(Selection{.ratios = {"3to1"}}.has(score, 0)), Error);
 }
 
-TEST(Selection, OfClassifiersIsOfDiagnosesAlone) {
+TEST(Selection, ByClassifierAppliesOnlyToDiagnoses) {
   const Selection nearest{.classifiers = {"nearest"}};
   EXPECT_TRUE(nearest.has({"none", "100to1", "nearest"}, 0));
   EXPECT_FALSE(nearest.has({"none", "100to1", "wdcnn"}, 0));

@@ -14,7 +14,7 @@ std::string log_text(double started, const std::string& lines) {
   return "build/bin/train --seed 0\nstep: begun at " + std::to_string(started) + "\n" + lines;
 }
 
-TEST(StepLogs, SaysWhatTheStepTook) {
+TEST(StepLogs, GiveTheCostOfTheStep) {
   const Folder folder;
   const auto log = read_step_log(folder.write(
       "train.log", log_text(1763800000.25,
@@ -29,7 +29,7 @@ TEST(StepLogs, SaysWhatTheStepTook) {
   EXPECT_EQ(log.reason, "");
 }
 
-TEST(StepLogs, OfAnOlderRunHasNoProcessorTime) {
+TEST(StepLogs, HaveNoProcessorTimeInAnOlderRun) {
   const Folder folder;
   const auto log =
       read_step_log(folder.write("score.log", log_text(1, "step: exit 0 after 0.6 s\n")));
@@ -38,7 +38,7 @@ TEST(StepLogs, OfAnOlderRunHasNoProcessorTime) {
   EXPECT_FALSE(log.memory_mb.has_value());
 }
 
-TEST(StepLogs, BeginsWhenItsPlaceInAQueueHasCome) {
+TEST(StepLogs, StartAfterTheWaitInAQueue) {
   const Folder folder;
   const auto log = read_step_log(
       folder.write("train.log", log_text(100, "step: waited 20.5 s\nstep: exit 0 after 0.6 s\n")));
@@ -46,7 +46,7 @@ TEST(StepLogs, BeginsWhenItsPlaceInAQueueHasCome) {
   EXPECT_EQ(log.elapsed_s, 0.6);
 }
 
-TEST(StepLogs, OfAFailedStepSaysWhy) {
+TEST(StepLogs, GiveTheReasonOfAFailure) {
   const Folder folder;
   const auto log = read_step_log(
       folder.write("train.log", log_text(1,
@@ -56,7 +56,7 @@ TEST(StepLogs, OfAFailedStepSaysWhy) {
   EXPECT_EQ(log.reason, "diverged at epoch 3: lower --learning-rate");
 }
 
-TEST(StepLogs, SaysThatTheStepWentOnFromACheckpoint) {
+TEST(StepLogs, RecordThatTheStepContinuedFromACheckpoint) {
   const Folder folder;
   const auto log = read_step_log(folder.write(
       "train.log", log_text(1,
@@ -67,7 +67,7 @@ TEST(StepLogs, SaysThatTheStepWentOnFromACheckpoint) {
   EXPECT_FALSE(read_step_log(folder.write("train.log", log_text(1, ""))).went_on);
 }
 
-TEST(StepLogs, TellsStoppedStepsFromFailedOnes) {
+TEST(StepLogs, DistinguishStoppedStepsFromFailedOnes) {
   const Folder folder;
   const auto end_of = [&](const std::string& line) {
     return read_step_log(folder.write("train.log", log_text(1, line))).end;
@@ -79,7 +79,7 @@ TEST(StepLogs, TellsStoppedStepsFromFailedOnes) {
   EXPECT_EQ(end_of(""), StepEnd::open);
 }
 
-TEST(StepLogs, FindsAllOfARunInTheOrderInWhichTheyBegan) {
+TEST(StepLogs, AreFoundInTheOrderOfTheirStarts) {
   const Folder folder;
   folder.write("cwru/seed0/split.log", log_text(20, "step: exit 0 after 1.0 s\n"));
   folder.write("cwru/ingest.log", log_text(10, "step: exit 0 after 1.0 s\n"));
@@ -104,7 +104,7 @@ TEST(StepLogs, NameTheProgramByItsCommand) {
 }
 
 /// A terminal would obey control characters, and anybody may have written the log.
-TEST(StepLogs, GiveNoControlCharactersOn) {
+TEST(StepLogs, DropControlCharacters) {
   const Folder folder;
   const auto log = read_step_log(
       folder.write("train.log", log_text(1, "train: \x1b[31mred\nstep: exit 1 after 2.0 s\n")));

@@ -19,7 +19,7 @@ class TestedWindowsOfARun : public StoredRun {
   }
 };
 
-TEST_F(TestedWindowsOfARun, SayOfWhichRecordTheyAre) {
+TEST_F(TestedWindowsOfARun, GiveTheirRecords) {
   save_tested_windows(layout_, "cwru", 3, {1, 2}, {{1, 0}, {500, 0}});
   const TestedWindows windows =
       read_tested_windows(artefact::Reader(layout_.windows("A", 3), "windows"), "cwru", 3);
@@ -28,7 +28,7 @@ TEST_F(TestedWindowsOfARun, SayOfWhichRecordTheyAre) {
   EXPECT_THAT(windows.places.first_sample, ElementsAre(500, 0));
 }
 
-TEST_F(TestedWindowsOfARun, OfAnotherPlaceAreRefused) {
+TEST_F(TestedWindowsOfARun, AreRefusedInTheWrongPlace) {
   save_tested_windows(layout_, "cwru", 3, {1, 2}, {{1, 0}, {500, 0}});
   const artefact::Reader reader(layout_.windows("A", 3), "windows");
   EXPECT_ERROR(read_tested_windows(reader, "hit-sm", 3), Exit::bad_input, "dataset is cwru");
@@ -54,7 +54,7 @@ TEST_F(TestedWindowsOfARun, GiveDecisions) {
   EXPECT_THAT(results({"seed0/A.h5"}).diagnoses.at(0).decisions, IsEmpty()) << "out of date";
 }
 
-TEST_F(TestedWindowsOfARun, ThatADiagnosisIsNotOfAreAProblemOfThatCell) {
+TEST_F(TestedWindowsOfARun, AreAProblemOfTheCellThatUsedOthers) {
   add(diagnosis("none", "100to1", 0, 0, 12));
   save_tested_windows(layout_, "cwru", 0, std::vector<Label>(20, 2), one_record(20));
   const Results found = results();
@@ -65,7 +65,7 @@ TEST_F(TestedWindowsOfARun, ThatADiagnosisIsNotOfAreAProblemOfThatCell) {
   EXPECT_EQ(found.exit, Exit::bad_input);
 }
 
-TEST_F(TestedWindowsOfARun, ThatAreDamagedAreOneProblem) {
+TEST_F(TestedWindowsOfARun, AreOneProblemIfDamaged) {
   add(diagnosis("none", "100to1", 0, 0, 12));
   add(by("nearest", diagnosis("none", "100to1", 0, 0, 12)));
   save_tested_windows(layout_, "cwru", 0, std::vector<Label>(20, 1), one_record(20));

@@ -217,7 +217,7 @@ TEST_F(WrongDiagnosis, WithAPredictionThatDoesNotExistIsRefused) {
   expect_refused({0, 1}, {0, -1}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions holds class -1");
 }
 TEST_F(WrongDiagnosis, WithFewerPredictionsThanLabelsIsRefused) {
-  expect_refused({0, 1}, {0}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions has another shape");
+  expect_refused({0, 1}, {0}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions has the wrong shape");
 }
 TEST_F(WrongDiagnosis, WithoutAWindowIsRefused) {
   expect_refused({}, {}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.0, "/labels is empty");

@@ -41,13 +41,13 @@ struct Project {
   }
 };
 
-TEST(Protocol, TheProjectsOwnIsAccepted) {
+TEST(Protocol, AcceptsTheFileOfTheProject) {
   EXPECT_NO_THROW(
       (void)read_protocol(std::filesystem::path(PIAE_SOURCE) / "pipeline/protocol.toml"));
 }
 
 /// The paper's eq. 13 describes one bearing, so methods and `simulate` must use the same values.
-TEST(Protocol, TakesTheParametersOfTheSimulatedBearing) {
+TEST(Protocol, HasTheParametersOfTheSimulatedBearing) {
   const fs::path pipeline = fs::path(PIAE_SOURCE) / "pipeline";
   const toml::table protocol = toml::parse_file((pipeline / "protocol.toml").string());
   const toml::table simulated = toml::parse_file((pipeline / "datasets/simulated.toml").string());
@@ -65,12 +65,14 @@ TEST(Protocol, TakesTheParametersOfTheSimulatedBearing) {
             protocol["train"]["dynamics"]["mass-kg"].value<double>());
 }
 
-TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
+TEST(Protocol, RefusesUnreadKeysWithTheirLine) {
   EXPECT_THAT(
       Project("[split]\n[diagnoze]\n").refusal(),
-      HasSubstr("protocol.toml, line 2: nothing reads the table [diagnoze]; there are split"));
-  EXPECT_THAT(Project("[train]\n[train.smot]\n").refusal(),
-              HasSubstr("line 2: nothing reads the table [train.smot]; there are train.dynamics"));
+      HasSubstr(
+          "protocol.toml, line 2: nothing reads the table [diagnoze]; known tables are split"));
+  EXPECT_THAT(
+      Project("[train]\n[train.smot]\n").refusal(),
+      HasSubstr("line 2: nothing reads the table [train.smot]; known tables are train.dynamics"));
   EXPECT_THAT(Project("[train.smote.deep]\n").refusal(), HasSubstr("[train.smote.deep]"));
   EXPECT_THAT(Project("[split.cwru]\n").refusal(), HasSubstr("[split.cwru]"));
   EXPECT_THAT(Project("[[split]]\n").refusal(), HasSubstr("[split]"));
@@ -78,7 +80,7 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
               HasSubstr("protocol.toml, line 2: table of 'ae': like = 'ae' must name a variant"));
   EXPECT_THAT(Project("[train.ae]\nlike = \"vae\"\n").refusal(),
               HasSubstr("protocol.toml, line 1: table of 'ae': like = 'vae' must name"));
-  EXPECT_THAT(Project("window = 3\n").refusal(), HasSubstr("line 1: window stands in no table"));
+  EXPECT_THAT(Project("window = 3\n").refusal(), HasSubstr("line 1: window is not in a table"));
   EXPECT_THAT(Project("[split\n").refusal(), HasSubstr("line 1: not valid TOML"));
   EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batch\"]\n").refusal(),
               HasSubstr("line 3: sweep.points holds 'batch', which is not FACTOR=VALUE"));
@@ -96,7 +98,7 @@ TEST(Protocol, WhatNothingReadsIsRefusedWithItsLine) {
 const std::string group_a =
     "[transfer.a]\ndatasets = [\"x\"]\nagainst = \"smote\"\ninputs = [\"none=wdcnn\"]\n";
 
-TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
+TEST(Protocol, RefusesInvalidGroupsWithTheirLine) {
   EXPECT_EQ(Project(group_a).refusal(), "not refused");
   const auto refusal = [](const std::string& from, const std::string& to) {
     std::string text = group_a;
@@ -111,9 +113,9 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(refusal("datasets", "data"),
               HasSubstr("line 2: nothing reads transfer.a.data; a group has datasets, against, "));
   EXPECT_THAT(refusal("\"smote\"", "\"smoke\""),
-              HasSubstr("line 3: transfer.a.against names no method: 'smoke'"));
+              HasSubstr("line 3: transfer.a.against must name a method, not 'smoke'"));
   EXPECT_THAT(refusal("against = \"smote\"", ""),
-              HasSubstr("line 1: transfer.a.against names no method: ''"));
+              HasSubstr("line 1: transfer.a.against must name a method, not ''"));
   EXPECT_THAT(refusal("none=wdcnn", "none"),
               HasSubstr("line 4: transfer.a.inputs: 'none' is not METHOD=CLASSIFIER"));
   EXPECT_THAT(
@@ -134,36 +136,37 @@ TEST(Protocol, AGroupThatIsNoneIsRefusedWithItsLine) {
               "not refused");
   EXPECT_THAT(refusal("[transfer.a]", "[transfer.\"a b\"]"), HasSubstr("line 1: the name of"));
   EXPECT_THAT(Project("[transfer]\nagainst = \"smote\"\n").refusal(),
-              HasSubstr("line 2: transfer.against stands in no group of data sets"));
+              HasSubstr("line 2: transfer.against is not in a group of data sets"));
   EXPECT_THAT(Project(group_a + "[transfer.a.inner]\n").refusal(),
               HasSubstr("line 5: nothing reads the table [transfer.a.inner]"));
 }
 
 /// Everything else still runs after a description was removed.
-TEST(Protocol, AGroupOfAnUnknownDatasetIsRefusedWhereItIsAskedFor) {
+TEST(Protocol, RefusesARequestedGroupWithAnUnknownDataset) {
   const Project project(group_a);
   const toml::table protocol = read_protocol(project.folder / "protocol.toml");
   EXPECT_ERROR(require_datasets(protocol, "a", project.folder.path()), Exit::bad_input,
-               "protocol.toml, line 2: transfer.a.datasets holds 'x', and there is no ");
+               "protocol.toml, line 2: transfer.a.datasets holds 'x', but there is no ");
   project.folder.write("datasets/x.toml", "name = \"x\"\n");
   EXPECT_NO_THROW(require_datasets(protocol, "a", project.folder.path()));
 }
 
-TEST(Protocol, PointsOfASweepMustBeWhatItsMethodTakes) {
+TEST(Protocol, RefusesSweepPointsThatTheMethodRefuses) {
   EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batches=mixd\"]\n").refusal(),
               AllOf(HasSubstr("protocol.toml, line 3: sweep.points holds 'batches=mixd'"),
-                    HasSubstr("of piae-dt --batches: 'mixd' is none of: ")));
+                    HasSubstr("which piae-dt refuses: --batches: 'mixd' is not one of: ")));
   EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\",\n\"depth=1\"]\n").refusal(),
-              HasSubstr("line 3: sweep.smote.points holds 'depth=1', but of smote there is no "
-                        "option --depth"));
+              HasSubstr("line 3: sweep.smote.points holds 'depth=1', which smote refuses: there is "
+                        "no option --depth"));
   EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\",\n\"neighbours\"]\n").refusal(),
               HasSubstr("line 3: sweep.smote.points holds 'neighbours', which is not FACTOR="));
   EXPECT_THAT(Project("[sweep.smote]\npoints = [\"neighbours=2\"]\n").refusal(), "not refused");
 }
 
-TEST(Protocol, TheTableOfASweepIsOfAMethodAndAClassifier) {
-  EXPECT_THAT(Project("[sweep]\n[sweep.smot]\n").refusal(),
-              HasSubstr("line 2: nothing reads the table [sweep.smot]; there are sweep.dynamics"));
+TEST(Protocol, RefusesSweepTablesWithoutMethodOrClassifier) {
+  EXPECT_THAT(
+      Project("[sweep]\n[sweep.smot]\n").refusal(),
+      HasSubstr("line 2: nothing reads the table [sweep.smot]; known tables are sweep.dynamics"));
   for (const std::string other : {"piae-dt", "oracle", "none"}) {
     EXPECT_THAT(Project("[sweep." + other + "]\npoints = []\n").refusal(),
                 HasSubstr("line 1: nothing reads the table [sweep." + other + "]"));
@@ -181,7 +184,7 @@ TEST(Protocol, TheTableOfASweepIsOfAMethodAndAClassifier) {
               HasSubstr("line 2: nothing reads sweep.classifier"));
 }
 
-TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
+TEST(Protocol, HasSweepCentresEqualToTheDefaults) {
   const toml::table protocol = toml::parse(
       "[train]\nbatch = 3\n[train.piae-dt]\nbatch = 5\nrate = 5e-4\nkind = \"plain\"\n"
       "[sweep]\npoints = [\"batch=3\", \"batch=5\", \"rate=0.0005\", \"kind=other\", "
@@ -193,7 +196,7 @@ TEST(Protocol, TheCentreOfASweepIsWhatTheMethodHasAnyway) {
   EXPECT_THAT(all[0].centre, ElementsAre("batch=5", "rate=0.0005", "kind=plain"));
 }
 
-TEST(Protocol, HasASweepOfEachMethodWithATable) {
+TEST(Protocol, HasASweepForEachMethodWithATable) {
   const toml::table protocol = toml::parse(
       "[train.vae]\nepochs = 3\n[sweep.vae]\npoints = [\"epochs=2\", \"epochs=3\"]\n"
       "[sweep.smote]\nclassifier = \"nearest\"\npoints = [\"neighbours=2\"]\n");

@@ -19,19 +19,19 @@ WindowSet two_classes() {
   return windows;
 }
 
-TEST(Amplitude, IsTheRmsAboutEachWindowsOwnMean) {
+TEST(Amplitude, IsTheRmsAboutTheMeanOfEachWindow) {
   const std::vector<double> rms = rms_by_class(two_classes());
   ASSERT_EQ(rms.size(), 2U);
   EXPECT_DOUBLE_EQ(rms[0], 1);  // no windows
   EXPECT_DOUBLE_EQ(rms[1], std::sqrt((1.0 + 1 + 9 + 9) / 4));
 }
 
-TEST(Amplitude, OfASignalIsTakenAboutItsMean) {
+TEST(Amplitude, OfASignalIsTheRmsAboutItsMean) {
   const std::vector<double> signal{7, 11, 9, 9};
   EXPECT_DOUBLE_EQ(rms_of(signal), std::sqrt(8.0 / 4));
 }
 
-TEST(Amplitude, OfConstantWindowsIsRefused) {
+TEST(Amplitude, RefusesConstantWindows) {
   WindowSet windows = two_classes();
   windows.samples = {2, 2, 5, 5};
   EXPECT_ERROR(rms_by_class(windows), Exit::bad_input, "class OR");

@@ -38,7 +38,7 @@ TEST(BearingTable, GivesAGeometryByTheWholeDesignation) {
   EXPECT_EQ(bearing_called("kg6205", table).at("pitch_diameter_mm"), 39);
 }
 
-TEST(BearingTable, GivesItBySomeOfItsWords) {
+TEST(BearingTable, GivesAGeometryBySomeOfTheWords) {
   const Folder folder;
   const auto table = folder.write("bearings.csv", some_rows);
   EXPECT_EQ(bearing_called("6205-2RS", table).at("pitch_diameter_mm"), 39.04);
@@ -47,29 +47,30 @@ TEST(BearingTable, GivesItBySomeOfItsWords) {
   EXPECT_EQ(bearing_called("6205", table).at("pitch_diameter_mm"), 39.04);  // the first of two
 }
 
-TEST(BearingTable, GivesOrdersWhereThereIsNoGeometry) {
+TEST(BearingTable, GivesOrdersIfTheGeometryIsUnknown) {
   const Folder folder;
   EXPECT_THAT(bearing_called("NTN 6201", folder.write("bearings.csv", some_rows)),
               ElementsAre(Pair("bpfi", 4.45), Pair("bpfo", 2.55)));
 }
 
-TEST(BearingTable, SaysWhatItHasInstead) {
+TEST(BearingTable, ListsSimilarBearings) {
   const Folder folder;
   const auto table = folder.write("bearings.csv", some_rows);
   const auto refused = [&](const std::string& designation, const std::string& why) {
     EXPECT_ERROR(bearing_called(designation, table), Exit::bad_input, why);
   };
   refused("NSK 6205", "'NSK 6205' has no row in " + table.string() +
-                          "; it has SKF 6205-2RS JEM, KG 6205; give balls, ball_diameter_mm");
+                          "; similar are SKF 6205-2RS JEM, KG 6205; give balls, ball_diameter_mm");
   for (const std::string part : {"JEM", "2RS", "SKF"}) {
-    refused(part, "'" + part + "' has no row in " + table.string() + "; it has SKF 6205-2RS JEM");
+    refused(part,
+            "'" + part + "' has no row in " + table.string() + "; similar are SKF 6205-2RS JEM");
   }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
   refused("620", "'620' has no row");  // part of a word is not enough
-  refused("6201", "'6201' may be one of NTN 6201, NTN 6201 wide, whose fault lines differ");
+  refused("6201", "'6201' may mean NTN 6201, NTN 6201 wide, whose fault lines differ");
 }
 
-TEST(BearingTable, IsRefusedWhereItIsDamaged) {
+TEST(BearingTable, IsRefusedIfDamaged) {
   const Folder folder;
   const auto with = [&](const std::string& text) {
     return bearing_called("6205", folder.write("bearings.csv", text));
@@ -96,7 +97,7 @@ std::vector<std::vector<std::string>> own_rows() {
   return rows;
 }
 
-TEST(OwnBearings, CanEachBeUsedAndHaveASource) {
+TEST(OwnBearings, AreValidAndHaveASource) {
   const std::filesystem::path table = std::filesystem::path(PIAE_SOURCE) / "pipeline/bearings.csv";
   const auto rows = own_rows();
   EXPECT_GE(rows.size(), 40U);
@@ -116,7 +117,7 @@ TEST(OwnBearings, CanEachBeUsedAndHaveASource) {
 }
 
 /// Compares with Harris' formulae, at one turn a second.
-TEST(OwnBearings, HaveTheOrdersThatWerePublished) {
+TEST(OwnBearings, HaveThePublishedOrders) {
   std::size_t compared = 0;
   for (const auto& row : own_rows()) {
     if (row[1].empty()) continue;

@@ -11,7 +11,7 @@ namespace piae::signal {
 namespace {
 
 // An impact every 12000 / 107.34 = 111.79 samples: 8 in 894.4; 9 would leave only 18 of 1024.
-TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
+TEST(Cycle, HoldsTheMostWholePeriodsThatLeaveSamplesToBlend) {
   const Cycle cycle = *cycle_of(12000 / 107.34, 1024);
   EXPECT_EQ(cycle.impacts, 8U);
   EXPECT_EQ(cycle.samples, 894U);
@@ -23,13 +23,13 @@ TEST(Cycle, HoldsAsManyWholeStrikesAsLeaveSomethingToBlend) {
   EXPECT_NEAR(cycle.angle_rad(1), 2 * std::numbers::pi * 8 / 894, 1e-12);
 }
 
-TEST(Cycle, HasNoneWhereNotOneWholeStrikeFits) {
+TEST(Cycle, IsEmptyIfNoWholePeriodFits) {
   EXPECT_FALSE(cycle_of(111.8, 100));
   EXPECT_FALSE(cycle_of(99, 100));  // leaves too little to blend
   EXPECT_TRUE(cycle_of(96, 100));
 }
 
-TEST(ClosedCycle, LeavesAPeriodicSignalAsItIs) {
+TEST(ClosedCycle, KeepsAPeriodicSignal) {
   const Cycle cycle{90, 3, 16};
   std::vector<double> window(128);
   for (std::size_t i = 0; i < window.size(); ++i) {
@@ -42,7 +42,7 @@ TEST(ClosedCycle, LeavesAPeriodicSignalAsItIs) {
 
 // A ramp jumps by its whole height at a plain cut. After blending, each step is at most that of the
 // blend, height / 16, plus the ramp's own.
-TEST(ClosedCycle, LetsTheEndGoOverIntoTheBeginning) {
+TEST(ClosedCycle, BlendsTheEndIntoTheStart) {
   const Cycle cycle{90, 3, 16};
   std::vector<double> window(128);
   for (std::size_t i = 0; i < window.size(); ++i) window[i] = static_cast<double>(i);

@@ -25,7 +25,7 @@ std::vector<std::string> names_of_records(const Description& d) {
   return names;
 }
 
-TEST(DescribedConditions, AreThoseThatRecordsNameWithTheirSpeeds) {
+TEST(DescribedConditions, AreTheConditionsOfRecordsWithTheirSpeeds) {
   const Description d = described(two_speeds);
   EXPECT_THAT(d.info.conditions,
               ElementsAre(Condition{.name = "900 rpm", .shaft_speed_rpm = 900},
@@ -35,7 +35,7 @@ TEST(DescribedConditions, AreThoseThatRecordsNameWithTheirSpeeds) {
               ElementsAre("cracked-1200-rpm", "cracked-900-rpm", "ok-1200-rpm", "ok-900-rpm"));
 }
 
-TEST(DescribedConditions, WithoutAnyThereAreNone) {
+TEST(DescribedConditions, AreEmptyIfNoRecordHasOne) {
   std::string text = replaced(two_speeds, "condition = \"900 rpm\"\n", "");
   text = replaced(text, "condition = \"900 rpm\"\n", "");
   text = replaced(text, "condition = \"1200 rpm\"\n", "");
@@ -45,7 +45,7 @@ TEST(DescribedConditions, WithoutAnyThereAreNone) {
   EXPECT_THAT(names_of_records(d), ElementsAre("cracked-01", "cracked-02", "ok-01", "ok-02"));
 }
 
-TEST(DescribedConditions, ATransferSaysWhatEachIsFor) {
+TEST(DescribedConditions, GetTheirUseFromTheTransferTable) {
   const Description d = described(two_speeds + from_900_to_1200);
   ASSERT_EQ(d.info.conditions.size(), 2U);
   const Condition& known = d.info.conditions[0];
@@ -55,13 +55,13 @@ TEST(DescribedConditions, ATransferSaysWhatEachIsFor) {
   EXPECT_TRUE(is_transfer(d.info.conditions));
 }
 
-TEST(DescribedConditions, HealthyWindowsMayComeFromSomeAlone) {
+TEST(DescribedConditions, MayLimitHealthyWindows) {
   const Description d = described(two_speeds + from_900_to_1200 + "healthy = [\"1200 rpm\"]\n");
   EXPECT_FALSE(d.info.conditions[0].healthy);
   EXPECT_TRUE(d.info.conditions[1].healthy);
 }
 
-TEST(DescribedConditions, RecordsOfWhatIsForNothingAreLeftOut) {
+TEST(DescribedConditions, LeaveOutRecordsOfUnusedConditions) {
   const std::string third =
       "[[record]]\nclass = \"ok\"\ncondition = \"600 rpm\"\nfile = \"e.csv\"\nvariable = \"1\"\n"
       "sample_rate_hz = 8000\n";
@@ -70,7 +70,7 @@ TEST(DescribedConditions, RecordsOfWhatIsForNothingAreLeftOut) {
   EXPECT_EQ(d.records.size(), 4U);
 }
 
-TEST(DescribedConditions, AClassOfSeveralSizesHasTheMeanOfThoseThatAreKnown) {
+TEST(DescribedConditions, GiveAClassTheMeanOfItsKnownSizes) {
   std::string text = replaced(two_speeds, "defect_size_mm = 0.5\n", "");
   text = replaced(text, "file = \"c.csv\"", "file = \"c.csv\"\ndefect_size_mm = 0.3");
   text = replaced(text, "file = \"d.csv\"", "file = \"d.csv\"\ndefect_size_mm = 0.6");
@@ -88,7 +88,7 @@ struct Refused {
 
 class RefusedConditions : public testing::TestWithParam<Refused> {};
 
-TEST_P(RefusedConditions, AreOneLineWithFileLineAndKey) {
+TEST_P(RefusedConditions, GiveOneLineWithFileLineAndKey) {
   const Folder folder;
   const Refused& refused = GetParam();
   const std::string text =
@@ -102,16 +102,16 @@ INSTANTIATE_TEST_SUITE_P(
     All, RefusedConditions,
     testing::Values(
         Refused{"known = [\"900 rpm\"]", "known = [\"700 rpm\"]",
-                "transfer.known names '700 rpm', which is the condition of no record; there are "
-                "900 rpm, 1200 rpm"},
+                "transfer.known names '700 rpm', which is not the condition of any record; records "
+                "have 900 rpm, 1200 rpm"},
         Refused{"test = [\"1200 rpm\"]", "test = [\"900 rpm\"]",
-                "transfer.test names '900 rpm', which is known, too"},
+                "transfer.test names '900 rpm', which is in known, too"},
         Refused{"test = [\"1200 rpm\"]", "test = [\"1200 rpm\", \"1200 rpm\"]",
                 "transfer.test names '1200 rpm' twice"},
         Refused{"test = [\"1200 rpm\"]", "test = []", "transfer.test must be a list of one"},
         Refused{"test = [\"1200 rpm\"]", "test = \"1200 rpm\"", "transfer.test must be a list"},
         Refused{"test = [\"1200 rpm\"]", "", "transfer.test is missing"},
-        Refused{"# end", "tested = 1", "transfer.tested is unknown; test is meant"},
+        Refused{"# end", "tested = 1", "transfer.tested is unknown; write test"},
         Refused{"# end", "healthy = [\"0 HP\"]", "transfer.healthy names '0 HP'"},
         Refused{"class = \"cracked\"\ncondition = \"900 rpm\"",
                 "class = \"cracked\"\ncondition = \"1200 rpm\"",
@@ -120,18 +120,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "class = \"cracked\"\ncondition = \"900 rpm\"",
                 "transfer.test is 1200 rpm, but class cracked has no record there"},
         Refused{"class = \"cracked\"\ncondition = \"1200 rpm\"", "class = \"cracked\"",
-                "transfer.known leaves class cracked a record without a condition, which would be "
-                "known "
-                "and tested alike"},
+                "transfer.known needs a condition for each fault record, but class cracked has a "
+                "record without one"},
         Refused{"shaft_speed_rpm = 1190", "shaft_speed_rpm = 1500",
                 "record has condition '1200 rpm' at 1200 and at 1500 rpm"},
         Refused{"class = \"ok\"\ncondition = \"1200 rpm\"",
                 "class = \"ok\"\ncondition = \"900 rpm\"",
-                "transfer.test names '1200 rpm', of which there is no record of class ok"},
-        Refused{
-            "class = \"ok\"\ncondition = \"900 rpm\"", "class = \"ok\"\ncondition = \"1200 rpm\"",
-            "transfer.healthy is known and test together where it does not say otherwise, but of "
-            "'900 rpm' there is no record of class ok"},
+                "transfer.test names '1200 rpm', but there is no record of class ok"},
+        Refused{"class = \"ok\"\ncondition = \"900 rpm\"",
+                "class = \"ok\"\ncondition = \"1200 rpm\"",
+                "transfer.healthy is known and test together by default, but for '900 rpm' there "
+                "is no record of class ok"},
         Refused{"condition = \"900 rpm\"", "condition = [\"900 rpm\", \"1200 rpm\"]",
                 "record.condition must be a text"},
         Refused{"condition = \"900 rpm\"", "condition = \"900\\trpm\"",
@@ -141,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"condition = \"900 rpm\"", "condition = \"900 rpm\"\nshaft_speed_rpm = 0",
                 "record.shaft_speed_rpm must be from 0.01"},
         Refused{"condition = \"900 rpm\"", "condition = \"900 rpm\"\ndefect_size_mm = 1",
-                "record.defect_size_mm makes no sense where the defect is 'none'"},
+                "record.defect_size_mm is not possible if the defect is 'none'"},
         Refused{"file = \"c.csv\"", "file = \"c.csv\"\ndefect_size_mm = 90",
                 "record.defect_size_mm is refused: defect size 90"},
         Refused{"# end", "[split]\nwindows = 3", "split.windows is unknown; known keys are window"},
@@ -152,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
             "split.known-per-class is 0, so no fault is known in any condition, but [transfer]"},
         Refused{"# end", "[split]\nwindow = \"long\"", "split.window must be a whole number"}));
 
-TEST(DescribedConditions, NoFaultNeedBeKnownInAny) {
+TEST(DescribedConditions, MayHaveNoKnownFault) {
   const Folder folder;
   const Description description =
       read_description(folder.write("rig.toml", two_speeds + "[split]\nknown-per-class = 0\n"));
@@ -160,7 +159,7 @@ TEST(DescribedConditions, NoFaultNeedBeKnownInAny) {
 }
 
 /// Healthy records at several speeds do not need a condition for each.
-TEST(DescribedConditions, ARecordOfNoneMayHaveASpeedOfItsOwn) {
+TEST(DescribedConditions, AllowOwnSpeedsWithoutACondition) {
   const Folder folder;
   const std::string text = replaced(two_speeds, "condition = \"1200 rpm\"\nshaft_speed_rpm = 1200",
                                     "shaft_speed_rpm = 1200");
@@ -171,14 +170,14 @@ TEST(DescribedConditions, ARecordOfNoneMayHaveASpeedOfItsOwn) {
   EXPECT_EQ(healthy->shaft_speed_rpm, 1200);
 }
 
-TEST(DescribedConditions, ATransferNeedsSome) {
+TEST(DescribedConditions, AreNeededForATransfer) {
   const Folder folder;
   std::string text = two_speeds;
   for (const char* speed : {"900", "900", "1200", "1200"}) {
     text = replaced(text, "condition = \"" + std::string(speed) + " rpm\"\n", "");
   }
   EXPECT_ERROR(read_description(folder.write("rig.toml", text + from_900_to_1200)), Exit::bad_input,
-               "transfer.known cannot be: no record names a condition");
+               "transfer.known names conditions, but no record has one");
 }
 
 }  // namespace

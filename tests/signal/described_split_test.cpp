@@ -26,7 +26,7 @@ std::string made_bearing(const std::string& split) {
          described_simulation("2", "0.5") + split;
 }
 
-TEST(DescribedSplit, SimulatedDataSetsMayHaveOne) {
+TEST(DescribedSplit, MayBeGivenForSimulatedDataSets) {
   const Folder folder;
   EXPECT_NO_THROW((void)read_simulation(folder.write("a.toml", made_bearing(nothing_known))));
   EXPECT_ERROR(
@@ -35,7 +35,7 @@ TEST(DescribedSplit, SimulatedDataSetsMayHaveOne) {
 }
 
 /// Data to diagnose a machine that has never failed.
-TEST(DescribedSplit, WithoutKnownFaultsHealthyRecordsGeometryAndSpeedAreNeeded) {
+TEST(DescribedSplit, NeedsHealthyRecordsGeometryAndSpeedWithoutKnownFaults) {
   struct Lack {
     std::string part;
     std::string line;

@@ -10,7 +10,7 @@
 namespace piae::signal {
 namespace {
 
-TEST(DescriptionFile, TakesFromItsModelWhatItDoesNotSay) {
+TEST(DescriptionFile, CompletesItselfFromItsModel) {
   const Folder folder;
   folder.write("rig.toml", two_speeds);
   const auto file = folder.write("rig-1200.toml",
@@ -27,7 +27,7 @@ TEST(DescriptionFile, TakesFromItsModelWhatItDoesNotSay) {
   EXPECT_TRUE(is_transfer(d.info.conditions));
 }
 
-TEST(DescriptionFile, TakesListsAsAWhole) {
+TEST(DescriptionFile, TakesListsWhole) {
   const Folder folder;
   folder.write("a.toml", "name = \"a\"\n[[class]]\nname = \"x\"\n[[class]]\nname = \"y\"\n");
   const auto file = folder.write("b.toml", "name = \"b\"\nlike = \"a\"\n[[class]]\nname = \"z\"\n");
@@ -37,7 +37,7 @@ TEST(DescriptionFile, TakesListsAsAWhole) {
   EXPECT_FALSE(b.contains("like"));
 }
 
-TEST(DescriptionFile, AModelMayBeLikeAnotherOne) {
+TEST(DescriptionFile, AllowsAModelWithAModel) {
   const Folder folder;
   folder.write("a.toml", "name = \"a\"\nfirst = 1\nsecond = 1\nthird = 1\n");
   folder.write("b.toml", "name = \"b\"\nlike = \"a\"\nsecond = 2\nthird = 2\n");
@@ -70,7 +70,7 @@ TEST(DescriptionFile, TakesABearingByItsDesignation) {
                "line 3: bearing.designation must be a text in quotes");
 }
 
-TEST(DescriptionFile, AnErrorNamesTheFileInWhichItStands) {
+TEST(DescriptionFile, NamesTheFileOfAnError) {
   const Folder folder;
   const auto model = folder.write("rig.toml", two_speeds + "colour = 1\n");
   const auto file = folder.write("b.toml", "name = \"b\"\nlike = \"rig\"\n");
@@ -81,7 +81,7 @@ TEST(DescriptionFile, AnErrorNamesTheFileInWhichItStands) {
                other.string() + ", line 4: bearing.balls must be from 3");
 }
 
-TEST(DescriptionFile, RefusesWhatCannotBe) {
+TEST(DescriptionFile, RefusesInvalidModels) {
   const Folder folder;
   const auto refused = [&](const std::string& text, Exit exit, const std::string& says) {
     const auto file = folder.write("b.toml", text);
@@ -89,12 +89,12 @@ TEST(DescriptionFile, RefusesWhatCannotBe) {
   };
   folder.write("a.toml", "name = \"a\"\nlike = \"b\"\n");
   EXPECT_ERROR(read_description_file(folder.write("b.toml", "name = \"b\"\nlike = \"a\"\n")),
-               Exit::bad_input, "goes in a circle");
-  refused("name = \"b\"\nlike = \"b\"\n", Exit::bad_input, "goes in a circle");
+               Exit::bad_input, "forms a cycle");
+  refused("name = \"b\"\nlike = \"b\"\n", Exit::bad_input, "forms a cycle");
   refused("name = \"b\"\nlike = \"none\"\n", Exit::input_missing, "= 'none', but there is no ");
   refused("name = \"b\"\nlike = 3\n", Exit::bad_input, "must be the name of a description");
   refused("name = \"b\"\nlike = \"../a\"\n", Exit::bad_input, "must be the name of a description");
-  refused("balls = 3\nlike = \"a\"\n", Exit::bad_input, "is there, but no name");
+  refused("balls = 3\nlike = \"a\"\n", Exit::bad_input, "is there, but name is missing");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::string described_fault(const std::string& defect, const std::string& size, 
   return text;
 }
 
-TEST(Description, AFaultElsewhereNeedsNeitherSizeNorBearing) {
+TEST(Description, NeedsNeitherSizeNorBearingForOtherFaults) {
   const Folder folder;
   const Description d =
       read_description(folder.write("rig.toml", described_fault("other", "", false)));
@@ -82,13 +82,14 @@ TEST(Description, AFaultElsewhereNeedsNeitherSizeNorBearing) {
   EXPECT_TRUE(read_description(folder.write("b.toml", described_fault("other", "", true)))
                   .info.has_bearing);
   EXPECT_ERROR(read_description(folder.write("c.toml", described_fault("outer", "", false))),
-               Exit::bad_input, "bearing is missing: it decides the rhythm of class cracked");
+               Exit::bad_input,
+               "bearing is missing: it determines the impact rate of class cracked");
   EXPECT_ERROR(read_description(folder.write(
                    "d.toml", described_fault("other", "defect_size_mm = 0.5\n", true))),
-               Exit::bad_input, "class.defect_size_mm makes no sense where the defect is 'other'");
+               Exit::bad_input, "class.defect_size_mm is not possible if the defect is 'other'");
 }
 
-TEST(Description, TheSizeOfADefectMayBeUnknown) {
+TEST(Description, MayHaveUnknownDefectSizes) {
   const Folder folder;
   const Description d =
       read_description(folder.write("rig.toml", described_fault("outer", "", true)));
@@ -123,7 +124,7 @@ TEST(Description, KeepsTheUnit) {
   EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.unit_m_per_s2, 9.80665);
 }
 
-TEST(Description, ARecordMayHaveAUnitOfItsOwn) {
+TEST(Description, AllowsAUnitForEachRecord) {
   const Folder folder;
   const std::string text = replaced(good, "file = \"rig/a.mat\"",
                                     "file = \"rig/a.mat\"\nunit_m_per_s2 = 0.01\noffset = 2048");
@@ -134,7 +135,7 @@ TEST(Description, ARecordMayHaveAUnitOfItsOwn) {
   EXPECT_EQ(d.records[0].offset, 0);
 }
 
-TEST(Description, ARecordMayHaveManyFiles) {
+TEST(Description, AllowsManyFilesInARecord) {
   const Folder folder;
   const std::string text =
       replaced(good, "file = \"rig/b.csv\"", "file = [\"rig/b.csv\", \"rig/b_*.csv\"]");
@@ -151,15 +152,15 @@ std::string described_by_orders(const std::string& orders) {
 }
 
 /// Uses CWRU's lines at 1797 rpm, 29.95 Hz.
-TEST(Description, FrequenciesInHzAreNoOrders) {
+TEST(Description, RefusesFrequenciesInHzAsOrders) {
   const Folder folder;
   const auto at = [](const std::string& rpm, const std::string& orders) {
     return replaced(described_by_orders(orders), "shaft_speed_rpm = 900",
                     "shaft_speed_rpm = " + rpm);
   };
   const std::string why =
-      "bearing.bpfo = 107.3 and bpfi = 162.2 seem to be Hz; orders are multiples of the shaft's "
-      "frequency, 29.95 Hz: write 3.583 and 5.416, or give ftf where they are orders";
+      "bearing.bpfo = 107.3 and bpfi = 162.2 seem to be in Hz, not in multiples of the shaft "
+      "frequency, 29.95 Hz; write 3.583 and 5.416, or add ftf if they are multiples";
   for (const char* more : {"", "bsf = 70.6\nftf = 11.93\n"}) {
     const std::string text = at("1797", std::string("bpfo = 107.3\nbpfi = 162.2\n") + more);
     EXPECT_ERROR(read_description(folder.write("rig.toml", text)), Exit::bad_input, why);
@@ -167,12 +168,12 @@ TEST(Description, FrequenciesInHzAreNoOrders) {
   // A slewing bearing has this many balls.
   const std::string many = "bpfo = 49\nbpfi = 51\n";
   EXPECT_ERROR(read_description(folder.write("rig.toml", at("600", many))), Exit::bad_input,
-               "seem to be Hz");
+               "seem to be in Hz");
   const auto file = folder.write("rig.toml", at("600", many + "ftf = 0.49\n"));
   EXPECT_EQ(read_description(file).info.bearing.balls, 100);
 }
 
-TEST(Description, OrdersAloneWillDoWhereNoSizeIsKnown) {
+TEST(Description, AcceptsOrdersAloneIfNoSizeIsKnown) {
   const Folder folder;
   const std::string orders = "bpfo = 3.5848\nbpfi = 5.4152\nbsf = 2.357\n";
   const Description d = read_description(folder.write("rig.toml", described_by_orders(orders)));
@@ -195,7 +196,7 @@ TEST(Description, OrdersAloneWillDoWhereNoSizeIsKnown) {
           "record.defect_size_mm needs a bearing with dimensions");
 }
 
-TEST(Description, DerivesTheRacewaysThatAreNotGiven) {
+TEST(Description, DerivesMissingRaceways) {
   const Folder folder;
   const std::string without_inner = replaced(good, "inner_raceway_mm = 26.5\n", "");
   const bearing::Geometry b =
@@ -209,14 +210,14 @@ TEST(Description, DerivesTheRacewaysThatAreNotGiven) {
             40.4);
 }
 
-TEST(Description, WithoutARateTakesTheOneOfAllRecords) {
+TEST(Description, TakesTheCommonRateOfTheRecordsByDefault) {
   const Folder folder;
   std::string text = replaced(good, "sample_rate_hz = 8000\n", "");
   text = replaced(text, "16000", "8000");
   EXPECT_EQ(read_description(folder.write("rig.toml", text)).info.sample_rate_hz, 8000);
 }
 
-TEST(Description, SaysWhichFileIsMissing) {
+TEST(Description, NamesTheMissingFile) {
   EXPECT_ERROR(read_description("/nowhere/rig.toml"), Exit::input_missing, "/nowhere/rig.toml");
 }
 
@@ -228,7 +229,7 @@ struct Damage {
 
 class DamagedDescription : public testing::TestWithParam<Damage> {};
 
-TEST_P(DamagedDescription, IsOneLineWithFileLineAndKey) {
+TEST_P(DamagedDescription, GivesOneLineWithFileLineAndKey) {
   const Folder folder;
   const Damage& damage = GetParam();
   const auto file = folder.write("rig.toml", replaced(good, damage.from, damage.to));
@@ -248,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"= 8000", "= 0", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
         Damage{"= 8000", "= 1e300", "line 2: sample_rate_hz must be from 1 to 1e+07 Hz"},
         Damage{"= \"rig\"", "= \"a\\nb\"", "line 1: name holds a control character"},
-        Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; sample_rate_hz is meant"},
+        Damage{"sample_rate_hz", "rate", "line 2: rate is unknown; write sample_rate_hz"},
         Damage{"sample_rate_hz = 8000\n", "", "rig/b.csv and rig/a.mat have different rates"},
         Damage{"shaft_speed_rpm = 900", "", "shaft_speed_rpm is missing"},
         Damage{"balls = 8", "balls = 8.5", "line 6: bearing.balls must be a whole number"},
@@ -259,23 +260,24 @@ INSTANTIATE_TEST_SUITE_P(
                "class.defect_size_mm is refused: defect size 50"},
         Damage{"= 15", "= 90", "bearing.contact_angle_deg must be from 0 to 89.999 degrees"},
         Damage{"= \"none\"", "= \"gear\"",
-               "class.defect holds an unknown defect 'gear'; known are none, outer, inner, roller "
-               "and other"},
+               "class.defect holds an unknown defect 'gear'; known defects: none, outer, inner, "
+               "roller, other"},
         Damage{"= \"outer\"", "= \"ball\"",
-               "'ball'; known are none, outer, inner, roller and other; 'roller' is meant"},
+               "'ball'; known defects: none, outer, inner, roller, other; write 'roller'"},
         Damage{"shaft_speed_rpm = 900", "shaft_speed_hz = 15",
-               "shaft_speed_rpm is missing; shaft_speed_hz stands there: shaft_speed_rpm is meant, "
-               "60 times as much"},
+               "shaft_speed_rpm is missing; instead of shaft_speed_hz, write shaft_speed_rpm, 60 "
+               "times the value"},
         Damage{"variable = \"x\"", "column = 2",
-               "record.variable is missing; column stands there: variable is meant"},
+               "record.variable is missing; instead of column, write variable"},
         Damage{"variable = \"x\"", "variable = \"x\"\ncomment = \"new\"",
                "record.comment is unknown; known keys are class, defect_size_mm"},
         Damage{"file = \"rig/a.mat\"", "file = [\"rig/a.mat\", \"../b.mat\"]",
                "record.file must be a path below"},
         Damage{"file = \"rig/a.mat\"", "file = []", "record.file must be a list of one or more"},
         Damage{"file = \"rig/a.mat\"", "file = \"rig/*.mat\"",
-               "record.url is of one file, and this record has several"},
-        Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1", "class.defect_size_mm makes no"},
+               "record.url is the address of one file, but this record has several"},
+        Damage{"= \"none\"", "= \"none\"\ndefect_size_mm = 1",
+               "class.defect_size_mm is not possible"},
         Damage{"= \"none\"", "= \"inner\"\ndefect_size_mm = 1", "no class has defect 'none'"},
         Damage{"name = \"cracked\"", "name = \"ok\"", "class.name 'ok' is given twice"},
         Damage{"class = \"ok\"", "class = \"okay\"", "record.class 'okay' is not a [[class]]"},
@@ -309,7 +311,7 @@ TEST(Description, RefusesClassesThatWouldShareARecordName) {
       "[[record]]\nclass = \"cracked-01\"\nfile = \"d.csv\"\nvariable = \"1\"\n"
       "sample_rate_hz = 8000\n";
   EXPECT_ERROR(read_description(folder.write("rig.toml", good + more)), Exit::bad_input,
-               "two records would be called cracked-01");
+               "two records would have the name cracked-01");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Description description_in(const Folder& folder) {
   return d;
 }
 
-TEST(Ingest, KeepsWhatIsKnownOfEachRecord) {
+TEST(Ingest, KeepsTheFactsOfEachRecord) {
   const Folder folder;
   Description d = description_in(folder);
   d.records[0].sha256 = sha256_of_file(folder / "rig/b.csv");
@@ -43,7 +43,7 @@ TEST(Ingest, KeepsWhatIsKnownOfEachRecord) {
   EXPECT_FALSE(r.records[0].parameters.has_value());
 }
 
-TEST(Ingest, BringsRecordsToTheRateOfTheDataset) {
+TEST(Ingest, ResamplesRecordsToTheRateOfTheDataset) {
   const Folder folder;
   Description d = description_in(folder);
   d.records[0].sample_rate_hz = 2000;
@@ -53,7 +53,7 @@ TEST(Ingest, BringsRecordsToTheRateOfTheDataset) {
   EXPECT_EQ(r.records[1].signal.size(), 4U);
 }
 
-TEST(Ingest, ScalesARecordThatHasItsOwnUnit) {
+TEST(Ingest, ScalesARecordWithItsOwnUnit) {
   const Folder folder;
   Description d = description_in(folder);
   d.info.unit_m_per_s2 = 2;
@@ -75,7 +75,7 @@ Description many_files_in(const Folder& folder) {
   return d;
 }
 
-TEST(Ingest, ReadsManyFilesAsOneRecordInTheOrderOfTheirNumbers) {
+TEST(Ingest, ReadsManyFilesAsOneRecordInNumericOrder) {
   const Folder folder;
   const Description d = many_files_in(folder);
   const Record record = ingest(d, folder.path()).records[0];
@@ -94,7 +94,7 @@ TEST(Ingest, ReadsManyFilesAsOneRecordInTheOrderOfTheirNumbers) {
 }
 
 /// Compares with the output of `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum`.
-TEST(Ingest, TheSumOfManyFilesIsThatOfTheirList) {
+TEST(Ingest, ChecksManyFilesByTheDigestOfTheirList) {
   const Folder folder;
   Description d = many_files_in(folder);
   std::string list;
@@ -107,7 +107,7 @@ TEST(Ingest, TheSumOfManyFilesIsThatOfTheirList) {
   EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input, "run/acc_*.csv (record bad): sha256 is ");
 }
 
-TEST(Ingest, NamesTheFileOfManyThatIsWrong) {
+TEST(Ingest, NamesTheDamagedFileOfMany) {
   const Folder folder;
   Description d = many_files_in(folder);
   folder.write("run/acc_2.csv", "1\n3\nnan\n");
@@ -125,7 +125,7 @@ TEST(Ingest, NamesTheFileOfManyThatIsWrong) {
                "run/b*.csv: matches no file; record bad");
 }
 
-TEST(Ingest, MissingFileSaysWhatWouldHelp) {
+TEST(Ingest, AdvisesHowToGetAMissingFile) {
   const Folder folder;
   Description d = description_in(folder);
   std::filesystem::remove(folder / "rig/b.csv");
@@ -135,7 +135,7 @@ TEST(Ingest, MissingFileSaysWhatWouldHelp) {
   EXPECT_ERROR(ingest(d, folder.path()), Exit::input_missing, "DATA_DIR=");
 }
 
-TEST(Ingest, WrongSumNamesBoth) {
+TEST(Ingest, NamesBothDigestsIfTheyDiffer) {
   const Folder folder;
   Description d = description_in(folder);
   d.records[1].sha256 = std::string(64, '0');
@@ -164,7 +164,7 @@ TEST(Ingest, RefusesOneRecordingUnderTwoClasses) {
   folder.write("rig/a.csv", "5.0\n6.0\n7\n8\n");  // other bytes, the same samples
   EXPECT_ERROR(
       ingest(d, folder.path()), Exit::bad_input,
-      "(record ok): holds the same samples as record bad (rig/b.csv), under another class");
+      "(record ok): holds the same samples as record bad (rig/b.csv), but has another class");
 }
 
 TEST(Ingest, RefusesOneRecordingTwice) {
@@ -182,7 +182,7 @@ TEST(Ingest, RefusesARecordThatWouldFillTheMemory) {
                "rig/b.csv (record bad): would have more than 1e8 samples");
 }
 
-TEST(Ingest, RefusesARecordThatVanishesInResampling) {
+TEST(Ingest, RefusesARecordThatIsEmptyAfterResampling) {
   const Folder folder;
   Description d = description_in(folder);
   d.records[0].sample_rate_hz = 5000;

@@ -48,7 +48,7 @@ double level(const std::vector<float>& signal, double from_s, double to_s) {
   return std::sqrt(squares / static_cast<double>(last - first));
 }
 
-TEST(Machine, RunsForAsLongAsItIsAskedTo) {
+TEST(Machine, RunsForTheRequestedDuration) {
   EXPECT_EQ(signal_of(machine_description, "Normal", {.duration_s = 0.5}).size(), 6000U);
   EXPECT_EQ(signal_of(machine_description, "Normal", {.duration_s = 20.5}).size(), 246000U);
   EXPECT_EQ(
@@ -72,7 +72,7 @@ TEST(Machine, IsHealthyUntilTheDefectAppears) {
 
 /// The onset of the defect shifts the ends of later stretches. Long after it, the signal must equal
 /// one uninterrupted solution of eq. 13.
-TEST(Machine, StretchesJoinWithoutATrace) {
+TEST(Machine, JoinsStretchesWithoutASeam) {
   const std::string roller =
       replaced(replaced(steady_description, "IR007", "B007"), "inner\"\ndef", "roller\"\ndef");
   for (const auto& [text, defect] :
@@ -103,7 +103,7 @@ TEST(Machine, DriftsSlowly) {
   EXPECT_GT(unrest(10), 0.05);
 }
 
-TEST(Machine, AnotherSeedIsAnotherMachine) {
+TEST(Machine, DiffersForAnotherSeed) {
   const auto one = signal_of(machine_description, "OR021", {.duration_s = 1, .seed = 1});
   EXPECT_EQ(one, signal_of(machine_description, "OR021", {.duration_s = 1, .seed = 1}));
   EXPECT_NE(one, signal_of(machine_description, "OR021", {.duration_s = 1, .seed = 2}));
@@ -128,7 +128,7 @@ TEST(Machine, HasTheMeasurementNoiseOfTheRecords) {
   EXPECT_NEAR(std::sqrt(power / static_cast<double>(normal->signal.size())) / noise, 1, 0.1);
 }
 
-TEST(Machine, RefusesWhatItCannotBe) {
+TEST(Machine, RefusesImpossibleOptions) {
   const Simulation simulation = simulation_of(machine_description);
   EXPECT_ERROR(Machine(simulation, "OR007", {}), Exit::usage,
                "--stream OR007: small has no such class; it has Normal, IR007, OR021");

@@ -11,39 +11,39 @@ const std::set<std::string> of_a_record{
 const std::set<std::string> of_a_bearing{"balls", "ball_diameter_mm", "pitch_diameter_mm",
                                          "contact_angle_deg", "designation"};
 
-TEST(MeantKey, IsInAnotherUnit) {
-  EXPECT_EQ(meant_key("shaft_speed_hz", of_a_record), "shaft_speed_rpm is meant, 60 times as much");
+TEST(MeantKey, RecognisesAnotherUnit) {
+  EXPECT_EQ(meant_key("shaft_speed_hz", of_a_record), "write shaft_speed_rpm, 60 times the value");
   EXPECT_EQ(meant_key("sample_rate_khz", of_a_record),
-            "sample_rate_hz is meant, 1000 times as much");
+            "write sample_rate_hz, 1000 times the value");
   EXPECT_EQ(meant_key("defect_size_mil", of_a_record),
-            "defect_size_mm is meant, 0.0254 times as much");
+            "write defect_size_mm, 0.0254 times the value");
   EXPECT_EQ(meant_key("ball_diameter_in", of_a_bearing),
-            "ball_diameter_mm is meant, 25.4 times as much");
+            "write ball_diameter_mm, 25.4 times the value");
   EXPECT_EQ(meant_key("contact_angle_rad", of_a_bearing),
-            "contact_angle_deg is meant, 57.2958 times as much");
+            "write contact_angle_deg, 57.2958 times the value");
 }
 
-TEST(MeantKey, LacksItsUnit) {
-  EXPECT_EQ(meant_key("sample_rate", of_a_record), "sample_rate_hz is meant");
-  EXPECT_EQ(meant_key("contact_angle", of_a_bearing), "contact_angle_deg is meant");
+TEST(MeantKey, RecognisesAMissingUnit) {
+  EXPECT_EQ(meant_key("sample_rate", of_a_record), "write sample_rate_hz");
+  EXPECT_EQ(meant_key("contact_angle", of_a_bearing), "write contact_angle_deg");
 }
 
-TEST(MeantKey, IsAnotherWord) {
-  EXPECT_EQ(meant_key("column", of_a_record), "variable is meant");
-  EXPECT_EQ(meant_key("Channel", of_a_record), "variable is meant");
-  EXPECT_EQ(meant_key("fs", of_a_record), "sample_rate_hz is meant");
-  EXPECT_EQ(meant_key("rolling-elements", of_a_bearing), "balls is meant");
+TEST(MeantKey, RecognisesSynonyms) {
+  EXPECT_EQ(meant_key("column", of_a_record), "write variable");
+  EXPECT_EQ(meant_key("Channel", of_a_record), "write variable");
+  EXPECT_EQ(meant_key("fs", of_a_record), "write sample_rate_hz");
+  EXPECT_EQ(meant_key("rolling-elements", of_a_bearing), "write balls");
   EXPECT_EQ(meant_key("column", of_a_bearing), "");  // a bearing has no key `variable`
 }
 
-TEST(MeantKey, DiffersByALetterOrTwo) {
-  EXPECT_EQ(meant_key("varaible", of_a_record), "variable is meant");
-  EXPECT_EQ(meant_key("shaft_speeds_rpm", of_a_record), "shaft_speed_rpm is meant");
+TEST(MeantKey, RecognisesOneOrTwoWrongLetters) {
+  EXPECT_EQ(meant_key("varaible", of_a_record), "write variable");
+  EXPECT_EQ(meant_key("shaft_speeds_rpm", of_a_record), "write shaft_speed_rpm");
   EXPECT_EQ(meant_key("ur", of_a_record), "");  // too short to guess
   EXPECT_EQ(meant_key("comment", of_a_record), "");
 }
 
-TEST(MeantDefect, IsAnotherWord) {
+TEST(MeantDefect, RecognisesSynonyms) {
   EXPECT_EQ(meant_defect("ball"), "roller");
   EXPECT_EQ(meant_defect("Inner_Race"), "inner");
   EXPECT_EQ(meant_defect("OR"), "outer");

@@ -14,7 +14,7 @@ std::vector<float> counting_from(float first, std::size_t count) {
 }
 
 // A later start shifts the window; the change between waveforms stays at its sample.
-TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
+TEST(Splice, StartsAtTheAngleAndKeepsTheImpactRate) {
   const std::vector<float> first = counting_from(0, 30);
   const std::vector<float> second = counting_from(100, 30);
   const Cycle cycle{30, 3, 4};
@@ -29,7 +29,7 @@ TEST(Splice, StartsAtTheAngleAndGoesOnInRhythm) {
   for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U}) EXPECT_EQ(later[i], window[i + 1]) << i;
 }
 
-TEST(Splice, KeepsThePartOfThePeriodWherePeriodsDiffer) {
+TEST(Splice, KeepsThePhaseIfPeriodsDiffer) {
   const std::vector<float> first = counting_from(0, 30);     // impacts at 0, 10, 20
   const std::vector<float> second = counting_from(100, 24);  // impacts at 0, 12
   const std::vector<float> window =
@@ -40,7 +40,7 @@ TEST(Splice, KeepsThePartOfThePeriodWherePeriodsDiffer) {
   EXPECT_EQ(window, (std::vector<float>{2, 3, 4, 118, 119, 120}));
 }
 
-TEST(DrawPassage, DrawsAllOfTheCycleAndOfTheWindow) {
+TEST(DrawPassage, DrawsFromTheWholeCycleAndWindow) {
   const Cycle cycle{30, 3, 4};
   std::vector<bool> starts(30);
   std::vector<bool> changes(8);

@@ -48,7 +48,7 @@ const Record& record_of(const Recordings& recordings, const std::string& name) {
   const fs::path data_dir = data_dir_with(description); \
   if (data_dir.empty()) GTEST_SKIP() << "DATA_DIR does not have the recordings"
 
-TEST(RealDescriptions, HaveTheShapeOfThePaper) {
+TEST(RealDescriptions, MatchThePaper) {
   const Description cwru = description_of("cwru");
   EXPECT_EQ(cwru.info.classes.size(), 10U);
   EXPECT_EQ(cwru.records.size(), 10U);
@@ -64,7 +64,7 @@ TEST(RealDescriptions, HaveTheShapeOfThePaper) {
   }
 }
 
-TEST(RealDescriptions, DifferBetweenCwruAndAsPublishedInTheRateOf97Alone) {
+TEST(RealDescriptions, DifferForCwruAsPublishedOnlyInTheRateOf97) {
   const Description right = description_of("cwru");
   const Description published = description_of("cwru-as-published");
   for (std::size_t i = 0; i < right.records.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(RealDescriptions, DifferBetweenCwruAndAsPublishedInTheRateOf97Alone) {
   }
 }
 
-TEST(Cwru, IsIngestedWithTheRecordsOfThePaper) {
+TEST(Cwru, HasTheRecordsOfThePaper) {
   const Description description = description_of("cwru");
   NEED_RECORDINGS(description);
   const Recordings r = ingest(description, data_dir);

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(RecordFiles, AreOrderedAsPeopleCount) {
+TEST(RecordFiles, AreInNumericOrder) {
   std::vector<std::string> names{"a10", "a9", "b1", "a010",  "a2b",
                                  "a2",  "A1", "a",  "a2b10", "a2b9"};
   std::ranges::sort(names, naturally_less);
@@ -24,12 +24,12 @@ TEST(RecordFiles, AreOrderedAsPeopleCount) {
   EXPECT_THAT(times, ElementsAre("2003.11.30.1", "2004.02.12.10.52.39", "2004.02.12.11.02.39"));
 }
 
-TEST(RecordFiles, NoNameIsLessThanItself) {
+TEST(RecordFiles, CompareIrreflexively) {
   for (const char* name : {"", "7", "a07", "a7b"}) EXPECT_FALSE(naturally_less(name, name)) << name;
   EXPECT_TRUE(naturally_less("123456789012345678901234567890", "1234567890123456789012345678901"));
 }
 
-TEST(RecordFiles, PatternsStandForWhatMatches) {
+TEST(RecordFiles, ExpandPatterns) {
   const Folder folder;
   for (const char* file : {"one/acc_2.csv", "one/acc_10.csv", "one/temp_1.csv", "one/.acc_3.csv",
                            "two/acc_1.csv", "two/acc_[1].csv", "two/deeper/acc_9.csv"}) {
@@ -45,7 +45,7 @@ TEST(RecordFiles, PatternsStandForWhatMatches) {
   EXPECT_THAT(of("*.csv"), IsEmpty());  // a star stops at a slash
 }
 
-TEST(RecordFiles, NamesStandWhereTheyAreGiven) {
+TEST(RecordFiles, KeepTheOrderOfNames) {
   const Folder folder;
   folder.write("b1", "1\n");
   folder.write("b2", "1\n");

@@ -22,7 +22,7 @@ Recordings load(const std::filesystem::path& file) {
   return read_recordings(artefact::Reader(file, "records"));
 }
 
-TEST(Recordings, ComeBackFromTheirFile) {
+TEST(Recordings, AreReadBack) {
   const Folder folder;
   Recordings in = counting_recordings(10);
   in.info.unit_m_per_s2 = 9.80665;
@@ -49,7 +49,7 @@ TEST(Recordings, ComeBackFromTheirFile) {
   EXPECT_EQ(out.records[3].parameters->damping_ns_per_m, 500);
 }
 
-TEST(Recordings, ComeBackWithTheirPieces) {
+TEST(Recordings, AreReadBackWithPieces) {
   const Folder folder;
   Recordings in = counting_recordings(10);
   in.records[2].pieces = {3, 7};
@@ -63,11 +63,11 @@ TEST(Recordings, ComeBackWithTheirPieces) {
        {std::vector<std::size_t>{3, 6}, {3, 8}, {0, 10}, {11, 1}}) {
     in.records[2].pieces = wrong;
     EXPECT_ERROR(load(save(folder, in)), Exit::bad_input,
-                 "/pieces/N holds lengths of pieces that are not those of the record");
+                 "/pieces/N holds lengths of pieces that do not add up to the record");
   }
 }
 
-TEST(Recordings, ComeBackWithTheirConditionsAndSizes) {
+TEST(Recordings, AreReadBackWithConditionsAndSizes) {
   const Folder folder;
   Recordings in = counting_transfer(10);
   in.records[2].defect_size_mm = 0.3;
@@ -84,7 +84,7 @@ TEST(Recordings, ComeBackWithTheirConditionsAndSizes) {
   EXPECT_FALSE(load(save(folder, counting_transfer(10))).have_sizes());
 }
 
-TEST(Recordings, AreRefusedWithAConditionThatIsNotListed) {
+TEST(Recordings, AreRefusedWithAnUnlistedCondition) {
   const Folder folder;
   artefact::Writer writer("records");
   write(writer, counting_recordings(10).info);
@@ -96,10 +96,10 @@ TEST(Recordings, AreRefusedWithAConditionThatIsNotListed) {
   writer.attribute("/records/N", "condition", std::string("900 rpm"));
   writer.save(folder / "records.h5", {});
   EXPECT_ERROR(load(folder / "records.h5"), Exit::bad_input,
-               "/records/N is of a condition that is not listed");
+               "/records/N has a condition that is not listed");
 }
 
-TEST(Recordings, AreRefusedWithoutARecordOfAClass) {
+TEST(Recordings, AreRefusedIfAClassHasNoRecord) {
   const Folder folder;
   Recordings r = counting_recordings(10);
   r.records.pop_back();
@@ -122,7 +122,7 @@ TEST(Recordings, AreRefusedWithAnEmptySignal) {
   EXPECT_ERROR(load(save(folder, r)), Exit::bad_input, "/records/R holds no sample");
 }
 
-TEST(Recordings, WithANaNAreNotEvenWritten) {
+TEST(Recordings, AreNotWrittenWithANaN) {
   const Folder folder;
   Recordings r = counting_recordings(10);
   r.records[0].signal[2] = std::nan("");

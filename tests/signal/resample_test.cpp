@@ -35,19 +35,19 @@ TEST(Resample, KeepsASineBelowTheNewNyquistFrequency) {
   }
 }
 
-TEST(Resample, RemovesWhatLiesAboveIt) {
+TEST(Resample, RemovesFrequenciesAboveIt) {
   const auto out = resample(sine(9000, 48000, 40000), 48000, 12000);
   EXPECT_LT(inner_difference(out, std::vector<double>(out.size(), 0.0)), 1e-7);
 }
 
-TEST(Resample, GivesAllWholeSamples) {
+TEST(Resample, GivesEveryWholeSample) {
   EXPECT_EQ(resample(std::vector<double>(243938, 0.0), 48000, 12000).size(), 60984U);
   EXPECT_EQ(resample(std::vector<double>(262144, 0.0), 51200, 12000).size(), 61440U);
   EXPECT_EQ(resample(std::vector<double>(10, 0.0), 6000, 12000).size(), 20U);
   EXPECT_EQ(resample(std::vector<double>(3, 0.0), 48000, 12000).size(), 0U);
 }
 
-TEST(Resample, LeavesEqualRatesAlone) {
+TEST(Resample, CopiesAtEqualRates) {
   const auto in = sine(50, 1000, 77);
   EXPECT_EQ(resample(in, 12000, 12000), in);
 }
@@ -63,7 +63,7 @@ std::vector<double> resampled_in_pieces(const std::vector<double>& signal, doubl
   return out;
 }
 
-TEST(StreamResampler, GivesWhatTheWholeSignalWould) {
+TEST(StreamResampler, MatchesResamplingOfTheWholeSignal) {
   Stream random("resampler");
   std::vector<double> signal(20000);
   for (double& x : signal) x = random.normal(0, 1);
@@ -80,7 +80,7 @@ TEST(StreamResampler, GivesWhatTheWholeSignalWould) {
   }
 }
 
-TEST(StreamResampler, NothingInNothingOut) {
+TEST(StreamResampler, GivesNothingForNothing) {
   std::vector<double> out;
   StreamResampler resampler(48000, 12000);
   resampler.add({}, out);

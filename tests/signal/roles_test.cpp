@@ -34,7 +34,7 @@ RoleSet role(Role role, Protocol protocol,
   return set;
 }
 
-TEST(Roles, MayOverlapButNotShareAWindowAtRandom) {
+TEST(Roles, MayOverlapButNotShareAWindowInARandomSplit) {
   EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 0}, {0, 5}}),
                            role(Role::hidden, Protocol::random, {{0, 6}})}),
               IsEmpty());
@@ -43,20 +43,20 @@ TEST(Roles, MayOverlapButNotShareAWindowAtRandom) {
               ElementsAre("record one: roles A and D share a window at sample 5 (1 places)"));
 }
 
-TEST(Roles, AreTheSamePlaceOnlyInTheSameRecord) {
+TEST(Roles, DoNotConflictInDifferentRecords) {
   EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 5}}),
                            role(Role::hidden, Protocol::random, {{1, 5}})}),
               IsEmpty());
 }
 
-TEST(Roles, MeetByTheNameOfTheRecordNotByItsIndex) {
+TEST(Roles, ConflictByRecordNameNotByIndex) {
   RoleSet d = role(Role::hidden, Protocol::random, {{1, 5}});
   d.windows.record_names = {"two", "one"};
   EXPECT_THAT(check_roles({role(Role::test, Protocol::random, {{0, 5}}), d}),
               ElementsAre(HasSubstr("record one: roles A and D share a window")));
 }
 
-TEST(Roles, KeepAWindowLengthApartInBlocks) {
+TEST(Roles, AreAWindowLengthApartInABlockedSplit) {
   const RoleSet a = role(Role::test, Protocol::blocked, {{0, 0}, {0, 5}});
   EXPECT_THAT(check_roles({a, role(Role::known, Protocol::blocked, {{0, 25}, {0, 28}})}),
               IsEmpty());
@@ -70,12 +70,12 @@ TEST(Roles, KeepAWindowLengthApartInBlocks) {
               ElementsAre(HasSubstr("share a window at sample 5")));
 }
 
-TEST(Roles, MustBeOfOneSplit) {
+TEST(Roles, MustBelongToOneSplit) {
   const RoleSet a = role(Role::test, Protocol::random, {{0, 0}});
   RoleSet d = role(Role::hidden, Protocol::random, {{0, 20}});
   d.seed = 1;
   EXPECT_THAT(check_roles({a, d}),
-              ElementsAre("D.h5: has seed 1, but A.h5 has 0; they are not of one split"));
+              ElementsAre("D.h5: has seed 1, but A.h5 has 0; they do not belong to one split"));
   d = role(Role::hidden, Protocol::blocked, {{0, 20}});
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has protocol blocked")));
   d = role(Role::hidden, Protocol::random, {{0, 20}});
@@ -86,7 +86,7 @@ TEST(Roles, MustBeOfOneSplit) {
   EXPECT_THAT(check_roles({a, d}), ElementsAre(HasSubstr("has window length 20")));
 }
 
-TEST(Roles, HoldOnlyWindowsOfTheirConditions) {
+TEST(Roles, HoldOnlyWindowsOfPermittedConditions) {
   RoleSet a = role(Role::test, Protocol::random, {{0, 0}});
   RoleSet c = role(Role::known, Protocol::random, {{1, 5}});
   for (RoleSet* set : {&a, &c}) {
@@ -107,7 +107,7 @@ TEST(Roles, HoldOnlyWindowsOfTheirConditions) {
   EXPECT_THAT(check_roles({a, c}), ElementsAre(HasSubstr("C.h5: has other conditions than A.h5")));
 }
 
-TEST(Roles, OfNothingAreGood) { EXPECT_THAT(check_roles({}), IsEmpty()); }
+TEST(Roles, AreValidWithoutFiles) { EXPECT_THAT(check_roles({}), IsEmpty()); }
 
 void save(const Folder& folder, const Split& split, Role role, const SplitOptions& options) {
   artefact::Writer writer("windows");
@@ -115,7 +115,7 @@ void save(const Folder& folder, const Split& split, Role role, const SplitOption
   writer.save(folder / (to_string(role) + ".h5"), {"split", "", {}});
 }
 
-TEST(Roles, ComeBackFromTheirFiles) {
+TEST(Roles, AreReadBack) {
   const Folder folder;
   SplitOptions options;
   options.seed = 7;
@@ -137,7 +137,7 @@ TEST(Roles, ComeBackFromTheirFiles) {
 }
 
 /// Without known faults, C keeps all its other data.
-TEST(Roles, OfKnownWindowsAloneMayHaveNone) {
+TEST(Roles, MayBeEmptyForKnownWindowsOnly) {
   const Folder folder;
   const Recordings recordings = counting_recordings(80000);
   SplitOptions options{.seed = 3};
@@ -188,27 +188,28 @@ TEST(Roles, CannotBeReadFromGeneratedWindows) {
   writer.attribute("/", "records_digest", std::string("d"));
   writer.save(folder / "E.h5", {});
   const artefact::Reader reader(folder / "E.h5", "windows");
-  EXPECT_ERROR(read_role_set(reader), Exit::bad_input, "do not say where they were cut");
+  EXPECT_ERROR(read_role_set(reader), Exit::bad_input,
+               "the places of the windows in the records are unknown");
 }
 
-TEST(Roles, AreStoredByTheirLetters) {
+TEST(Roles, AreStoredAsLetters) {
   const std::string letters = to_string(Role::test) + to_string(Role::healthy) +
                               to_string(Role::known) + to_string(Role::hidden) +
                               to_string(Role::generated);
   EXPECT_EQ(letters, "ABCDE");
 }
 
-TEST(Roles, WithAWordThatNobodyKnowsAreRefused) {
+TEST(Roles, AreRefusedWithUnknownWords) {
   const Folder folder;
   artefact::Writer writer("windows");
   writer.attribute("/", "role", std::string("F"));
   writer.attribute("/", "protocol", std::string("ordered"));
   writer.save(folder / "F.h5", {});
   const artefact::Reader reader(folder / "F.h5", "windows");
-  EXPECT_ERROR(read_role(reader), Exit::bad_input, "has role F; known are A, B, C, D and E");
+  EXPECT_ERROR(read_role(reader), Exit::bad_input, "has role F; it must be A, B, C, D or E");
   EXPECT_ERROR(require_role(reader, Role::test), Exit::bad_input, "has role F");
   EXPECT_ERROR(read_protocol(reader), Exit::bad_input,
-               "is 'ordered'; known are random and blocked");
+               "is 'ordered'; it must be random or blocked");
 }
 
 }  // namespace

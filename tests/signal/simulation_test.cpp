@@ -73,7 +73,7 @@ double mean_power(const Recordings& recordings, int label) {
   return sum / records;
 }
 
-TEST_F(SimulationTest, ReadsWhatTheDescriptionSays) {
+TEST_F(SimulationTest, ReadsItsDescription) {
   const Simulation s = read(description + "snr_db = -3\n");
   EXPECT_EQ(s.info.name, "small");
   EXPECT_EQ(s.info.classes.size(), 3U);
@@ -93,7 +93,7 @@ TEST_F(SimulationTest, ReadsWhatTheDescriptionSays) {
   EXPECT_FALSE(read(description).snr_db.has_value());
 }
 
-TEST_F(SimulationTest, RecordsCarryTheirTruth) {
+TEST_F(SimulationTest, StoresTrueParametersInRecords) {
   const Recordings r = simulate(read(description));
   ASSERT_EQ(r.records.size(), 12U);
   EXPECT_TRUE(std::ranges::is_sorted(r.records, {}, &Record::name));
@@ -142,7 +142,7 @@ double misfit(const std::vector<double>& signal, const DynamicParameters& truth)
   return least;
 }
 
-TEST_F(SimulationTest, SignalIsThatOfTheStoredParameters) {
+TEST_F(SimulationTest, SimulatesTheStoredParameters) {
   const std::string short_and_steady =
       replaced(replaced(replaced(description, "speed_spread = 0.001", "speed_spread = 0"),
                         "slip_max = 0.01", "slip_max = 0"),
@@ -155,7 +155,7 @@ TEST_F(SimulationTest, SignalIsThatOfTheStoredParameters) {
   EXPECT_GT(misfit(record.signal, truth), 0.2);
 }
 
-TEST_F(SimulationTest, GivesTheSameOnAnyNumberOfThreads) {
+TEST_F(SimulationTest, IsEqualOnAnyNumberOfThreads) {
   const Simulation s = read(description + "snr_db = 10\n");
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -170,7 +170,7 @@ TEST_F(SimulationTest, GivesTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST_F(SimulationTest, ARecordDependsOnItsNameAndTheSeedAlone) {
+TEST_F(SimulationTest, DrawsARecordFromItsNameAndTheSeed) {
   const Recordings four = simulate(read(description));
   const Recordings two = simulate(read(replaced(description, "_class = 4", "_class = 2")));
   EXPECT_EQ(four.records[0].signal, two.records[0].signal);
@@ -180,7 +180,7 @@ TEST_F(SimulationTest, ARecordDependsOnItsNameAndTheSeedAlone) {
   EXPECT_NE(four.records[0].signal, other.records[0].signal);
 }
 
-TEST_F(SimulationTest, NoiseIsOneLevelSetByTheFaintestFault) {
+TEST_F(SimulationTest, AddsNoiseRelativeToTheFaintestFault) {
   const Recordings clean = simulate(read(description));
   const Recordings noisy = simulate(read(description + "snr_db = 10\n"));
   const double expected = mean_power(clean, 2) / 10;  // B007 is weaker than OR021
@@ -194,7 +194,7 @@ TEST_F(SimulationTest, NoiseIsOneLevelSetByTheFaintestFault) {
   }
 }
 
-TEST_F(SimulationTest, TellsHowFarItIs) {
+TEST_F(SimulationTest, ReportsItsProgress) {
   std::size_t calls = 0;
   std::size_t last = 0;
   (void)simulate(read(description), [&](std::size_t done) {
@@ -205,13 +205,13 @@ TEST_F(SimulationTest, TellsHowFarItIs) {
   EXPECT_EQ(last, 12U);
 }
 
-TEST_F(SimulationTest, DivergenceLeavesTheParallelLoopAsAnError) {
+TEST_F(SimulationTest, ReportsDivergenceInAParallelLoop) {
   Simulation s = read(description);
   s.dynamics.damping_ns_per_m = 1e7;
   EXPECT_THROW((void)simulate(s), Error);
 }
 
-TEST_F(SimulationTest, UnknownAndMissingKeysAreNamedWithTheirLine) {
+TEST_F(SimulationTest, NamesUnknownAndMissingKeysWithTheirLine) {
   EXPECT_THAT(refusal(description + "noise = 3\n"), HasSubstr("small.toml, line 35"));
   EXPECT_THAT(refusal(description + "noise = 3\n"), HasSubstr("simulation.noise is unknown"));
   EXPECT_THAT(refusal(replaced(description, "load_n = 1000\n", "")),
@@ -225,7 +225,7 @@ TEST_F(SimulationTest, UnknownAndMissingKeysAreNamedWithTheirLine) {
               HasSubstr("color is unknown"));
 }
 
-TEST_F(SimulationTest, ImpossibleValuesAreNamedWithTheirKey) {
+TEST_F(SimulationTest, NamesImpossibleValuesWithTheirKey) {
   const auto with = [](const std::string& what, const std::string& by) {
     return replaced(description, what, by);
   };
@@ -249,7 +249,7 @@ TEST_F(SimulationTest, ImpossibleValuesAreNamedWithTheirKey) {
   EXPECT_EQ(refusal(simulated_head + table), "no error");
 }
 
-TEST_F(SimulationTest, AMissingFileIsSaidToBeMissing) {
+TEST_F(SimulationTest, ReportsAMissingFile) {
   try {
     (void)read_simulation("nowhere.toml");
     FAIL();
@@ -263,7 +263,7 @@ const std::string at_two_speeds =
     "[[simulation.condition]]\nname = \"900 rpm\"\nshaft_speed_rpm = 900\n"
     "[[simulation.condition]]\nname = \"1200 rpm\"\nshaft_speed_rpm = 1200\n";
 
-TEST_F(SimulationTest, MakesAllRecordsInEachCondition) {
+TEST_F(SimulationTest, SimulatesAllRecordsInEachCondition) {
   const Simulation simulation = read(description + at_two_speeds +
                                      "[transfer]\nknown = [\"900 rpm\"]\ntest = [\"1200 rpm\"]\n");
   EXPECT_EQ(simulation.records(), 24U);
@@ -282,7 +282,7 @@ TEST_F(SimulationTest, MakesAllRecordsInEachCondition) {
 }
 
 /// Without noise, because its level depends on all records.
-TEST_F(SimulationTest, AConditionIsTheSameWhateverOthersThereAre) {
+TEST_F(SimulationTest, SimulatesEachConditionIndependently) {
   const std::string alone =
       "[[simulation.condition]]\nname = \"1200 rpm\"\nshaft_speed_rpm = 1200\n";
   const Recordings one = simulate(read(description + alone));
@@ -295,7 +295,7 @@ TEST_F(SimulationTest, AConditionIsTheSameWhateverOthersThereAre) {
   }
 }
 
-TEST_F(SimulationTest, RefusesConditionsThatCannotBe) {
+TEST_F(SimulationTest, RefusesInvalidConditions) {
   EXPECT_THAT(refusal(description + replaced(at_two_speeds, "1200 rpm", "900 rpm")),
               HasSubstr("condition.name '900 rpm' is given twice"));
   EXPECT_THAT(refusal(description + replaced(at_two_speeds, "= 1200", "= 0")),

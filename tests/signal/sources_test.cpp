@@ -32,7 +32,7 @@ std::vector<std::size_t> counts_of(const std::vector<Source>& sources, Role role
   return counts;
 }
 
-TEST(Sources, WithoutConditionsThereIsOneThatServesAllRoles) {
+TEST(Sources, ServeAllRolesWithoutConditions) {
   DatasetInfo info = transfer();
   info.conditions.clear();
   const std::vector<RecordPlace> records{{ok_label}, {cracked_label}, {cracked_label}};
@@ -50,7 +50,7 @@ TEST(Sources, WithoutConditionsThereIsOneThatServesAllRoles) {
   EXPECT_THAT(counts_of(sound, Role::healthy), ElementsAre(500));
 }
 
-TEST(Sources, ATransferTakesEachRoleFromItsConditions) {
+TEST(Sources, TakeEachRoleFromItsConditionsInATransfer) {
   const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}, {cracked_label, 2},
                                          {ok_label, 0},      {ok_label, 1},      {ok_label, 2}};
   const auto faults = sources_of(transfer(), cracked_label, records, paper, Stream("s"));
@@ -67,7 +67,7 @@ TEST(Sources, ATransferTakesEachRoleFromItsConditions) {
   EXPECT_THAT(normal, testing::Each(testing::AnyOf(166U, 167U)));
 }
 
-TEST(Sources, WhoGivesOneMoreIsDrawn) {
+TEST(Sources, DrawTheSourcesThatGiveOneMore) {
   const std::vector<RecordPlace> records{
       {cracked_label, 0}, {cracked_label, 1}, {cracked_label, 2}};
   std::set<std::size_t> of_the_first;
@@ -79,7 +79,7 @@ TEST(Sources, WhoGivesOneMoreIsDrawn) {
   EXPECT_THAT(of_the_first, ElementsAre(2, 3));
 }
 
-TEST(Sources, ARecordOfEveryConditionServesAllRoles) {
+TEST(Sources, ServeAllRolesFromARecordOfEveryCondition) {
   const std::vector<RecordPlace> records{
       {ok_label, every_condition}, {cracked_label, 0}, {cracked_label, 2}};
   const auto sound = sources_of(transfer(), ok_label, records, paper, Stream("s"));
@@ -89,7 +89,7 @@ TEST(Sources, ARecordOfEveryConditionServesAllRoles) {
 }
 
 /// Healthy windows of each speed must be both tested and learned from.
-TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
+TEST(Sources, AssignRecordsOfEveryConditionBySpeed) {
   const std::vector<RecordPlace> records{{ok_label, every_condition, 900},
                                          {ok_label, every_condition, 600},
                                          {ok_label, every_condition, 900},
@@ -111,7 +111,7 @@ TEST(Sources, RecordsOfEveryConditionAreDealtOutBySpeed) {
   EXPECT_EQ(sources_of(info, ok_label, same, paper, Stream("s")).size(), 1U);
 }
 
-TEST(Sources, ARoleWithoutWindowsTakesPartInNothing) {
+TEST(Sources, IgnoreRolesWithoutWindows) {
   const Counts nothing_known{.all = 595, .test = 100, .known = 0};
   const std::vector<RecordPlace> records{{cracked_label, 2}};  // tested, not known
   const auto faults = sources_of(transfer(), cracked_label, records, nothing_known, Stream("s"));
@@ -121,7 +121,7 @@ TEST(Sources, ARoleWithoutWindowsTakesPartInNothing) {
   EXPECT_EQ(faults[0].count_of(Role::hidden), 495U);
 }
 
-TEST(Sources, ARoleWithoutARecordIsRefused) {
+TEST(Sources, RefuseRolesWithoutARecord) {
   const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}};
   EXPECT_ERROR(sources_of(transfer(), cracked_label, records, paper, Stream("s")), Exit::bad_input,
                "dataset rig, class cracked: has no record for role A");

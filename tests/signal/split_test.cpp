@@ -42,7 +42,7 @@ std::vector<RoleSet> role_sets(const Split& split, const SplitOptions& options) 
 
 class Protocols : public testing::TestWithParam<Protocol> {};
 
-TEST_P(Protocols, DealOutThePapersNumbers) {
+TEST_P(Protocols, CutThePapersNumbersOfWindows) {
   const Split s = split(counting_recordings(80000), options_of(GetParam()));
   EXPECT_EQ(s.sets[A].size(), 300U);
   EXPECT_EQ(s.sets[B].size(), 500U);
@@ -58,7 +58,7 @@ TEST_P(Protocols, DealOutThePapersNumbers) {
 }
 
 /// Pieces of 2500, 700 and 3000 samples in turn: the second ones do not hold a window.
-TEST_P(Protocols, LetNoWindowCrossFromOnePieceIntoTheNext) {
+TEST_P(Protocols, CutNoWindowAcrossPieces) {
   Recordings recordings = counting_recordings(80000);
   for (Record& record : recordings.records) {
     std::size_t left = record.signal.size();
@@ -89,7 +89,7 @@ TEST_P(Protocols, LetNoWindowCrossFromOnePieceIntoTheNext) {
 }
 
 /// C exists, of the same data set and records, and the other roles are unchanged.
-TEST_P(Protocols, LeaveCWithoutWindowsWhereNoFaultIsKnown) {
+TEST_P(Protocols, LeaveCEmptyIfNoFaultIsKnown) {
   SplitOptions options = options_of(GetParam());
   options.known_per_class = 0;
   options.windows_per_class = 595;
@@ -103,11 +103,11 @@ TEST_P(Protocols, LeaveCWithoutWindowsWhereNoFaultIsKnown) {
   EXPECT_THAT(check_roles(role_sets(s, options)), IsEmpty());
 }
 
-TEST_P(Protocols, RefuseAWindowInWhichNothingMoves) {
+TEST_P(Protocols, RefuseConstantWindows) {
   Recordings recordings = counting_recordings(80000);
   std::ranges::fill(recordings.records[1].signal, 0.5);
   EXPECT_ERROR((void)split(recordings, options_of(GetParam())), Exit::bad_input,
-               "nothing moves in the window from sample ");
+               "the signal is constant in the window from sample ");
 }
 
 TEST_P(Protocols, GiveNoWindowTwoRoles) {
@@ -147,7 +147,7 @@ TEST_P(Protocols, KeepEachRoleToItsConditions) {
   EXPECT_EQ(std::ranges::count(s.sets[B].condition, 0), 250);
 }
 
-TEST_P(Protocols, SayTheConditionAndTheSpeedOfEachWindow) {
+TEST_P(Protocols, GiveTheConditionAndSpeedOfEachWindow) {
   const Recordings recordings = counting_transfer(80000);
   const Split s = split(recordings, options_of(GetParam()));
   for (const WindowSet& set : s.sets) {
@@ -164,7 +164,7 @@ TEST_P(Protocols, SayTheConditionAndTheSpeedOfEachWindow) {
   }
 }
 
-TEST_P(Protocols, SayTheSizeOfEachDefectWhereAClassHasSeveral) {
+TEST_P(Protocols, GiveDefectSizesIfAClassHasSeveral) {
   Recordings recordings = counting_transfer(80000);
   recordings.records[2].defect_size_mm = 0.1;
   const Split s = split(recordings, options_of(GetParam()));
@@ -174,7 +174,7 @@ TEST_P(Protocols, SayTheSizeOfEachDefectWhereAClassHasSeveral) {
   }
 }
 
-TEST_P(Protocols, CutWindowsWhereTheySay) {
+TEST_P(Protocols, CutWindowsAtTheirStoredPlaces) {
   const Recordings recordings = counting_recordings(80000);
   const Split s = split(recordings, options_of(GetParam()));
   for (const WindowSet& set : s.sets) {
@@ -189,7 +189,7 @@ TEST_P(Protocols, CutWindowsWhereTheySay) {
   }
 }
 
-TEST_P(Protocols, DependOnTheSeedAlone) {
+TEST_P(Protocols, DependOnlyOnTheSeed) {
   const Recordings recordings = counting_recordings(80000);
   const Split one = split(recordings, options_of(GetParam(), 3));
   const Split same = split(recordings, options_of(GetParam(), 3));
@@ -199,7 +199,7 @@ TEST_P(Protocols, DependOnTheSeedAlone) {
   EXPECT_NE(one.sets[C].first_sample, other.sets[C].first_sample);
 }
 
-TEST_P(Protocols, DealAClassTheSameWhateverTheOthersAre) {
+TEST_P(Protocols, SplitEachClassIndependently) {
   const Recordings all = counting_recordings(80000);
   Recordings fewer = all;
   fewer.info.classes.erase(fewer.info.classes.begin() + 1);
@@ -214,7 +214,7 @@ TEST_P(Protocols, DealAClassTheSameWhateverTheOthersAre) {
             places_of(split(fewer, options_of(GetParam())).sets[D], 1));
 }
 
-TEST_P(Protocols, CarryTrueParametersWhereAllRecordsHaveThem) {
+TEST_P(Protocols, KeepTrueParametersIfAllRecordsHaveThem) {
   Recordings recordings = counting_recordings(80000);
   EXPECT_THAT(split(recordings, options_of(GetParam())).sets[C].parameters, IsEmpty());
   for (std::size_t i = 0; i < recordings.records.size(); ++i) {
@@ -228,7 +228,7 @@ TEST_P(Protocols, CarryTrueParametersWhereAllRecordsHaveThem) {
   }
 }
 
-TEST_P(Protocols, RefuseRecordsThatAreTooShort) {
+TEST_P(Protocols, RefuseShortRecords) {
   EXPECT_ERROR(split(counting_recordings(1500), options_of(GetParam())), Exit::bad_input,
                "dataset counting, class N: 600 windows of 1024 samples do not fit");
 }
@@ -255,7 +255,7 @@ TEST(SplitBlocked, KeepsARoleInOneStretchOfTime) {
   EXPECT_LE(jumps, 1);  // one if the block wraps at the end of the record
 }
 
-TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
+TEST(SplitBlocked, KeepsAWiderGuardIfRequested) {
   SplitOptions options = options_of(Protocol::blocked);
   options.guard_windows = 3;
   const Split s = split(counting_recordings(80000), options);
@@ -275,7 +275,7 @@ TEST(SplitBlocked, KeepsAWiderGuardWhereAsked) {
 
 /// Two roles of 10 windows, with a gap of one window length between them and after the last, need
 /// 22 window lengths without overlap. A third role would need one more gap.
-TEST(SplitBlocked, HasNoGapBesideARoleThatHasNoWindow) {
+TEST(SplitBlocked, HasNoGapNextToAnEmptyRole) {
   SplitOptions options = options_of(Protocol::blocked);
   options.window = options.max_stride = 100;
   options.windows_per_class = 20;

@@ -26,12 +26,12 @@ TEST(Stride, IsTheLargestThatFits) {
   EXPECT_EQ(largest_stride("x", {1024 + 599}, grid), 1U);
 }
 
-TEST(Stride, SumsOverRecordsThatLackAWindowToo) {
+TEST(Stride, CountsRecordsShorterThanAWindow) {
   // At stride 4: 3 + 2 + 0 windows of 4; at stride 5: 2 + 2 + 0.
   EXPECT_EQ(largest_stride("x", {12, 9, 3}, {4, 100, 5, 0, 0}), 4U);
 }
 
-TEST(Stride, SkipsSoManyWindowsThatTheGuardStaysFree) {
+TEST(Stride, SkipsEnoughWindowsForTheGuard) {
   const WindowGrid grid{1024, 512, 600, 3, 1024};
   // Starts must lie 2048 apart: 4 strides of 512, 3 windows between; 11 strides of 190, 10 between.
   EXPECT_EQ(skipped_windows(grid, 512), 3U);
@@ -48,7 +48,7 @@ TEST(Stride, LeavesRoomForTheGaps) {
   EXPECT_EQ(largest_stride("x", {100}, grid), 6U);
 }
 
-TEST(Stride, NamesHowManyFitWhereTheyDoNot) {
+TEST(Stride, ReportsHowManyWindowsFit) {
   EXPECT_ERROR(
       largest_stride("class IR", {1500, 1100}, {1024, 512, 600, 0, 0}), Exit::bad_input,
       "class IR: 600 windows of 1024 samples do not fit into 2600 samples in 2 record(s) at "
@@ -57,7 +57,7 @@ TEST(Stride, NamesHowManyFitWhereTheyDoNot) {
                "none fits: lower window or (protocol blocked) guard-windows, in [split]");
 }
 
-TEST(Stride, IsNotSearchedBeyondTheRecords) {
+TEST(Stride, IsNotLongerThanTheRecords) {
   EXPECT_EQ(largest_stride("x", {20}, {10, std::size_t{1} << 60U, 1, 0, 0}), 20U);
 }
 

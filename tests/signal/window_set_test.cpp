@@ -62,7 +62,7 @@ TEST(WindowSet, FindsTheWindowsOfALabel) {
   EXPECT_THAT(set.window(1), ElementsAre(3, 4));
 }
 
-TEST(WindowSet, ComesBackFromItsFile) {
+TEST(WindowSet, IsReadBack) {
   const Folder folder;
   const WindowSet out = load_set(save(folder, cut_set()));
   EXPECT_EQ(out.length, 2U);
@@ -87,7 +87,7 @@ WindowSet set_of_conditions() {
   return set;
 }
 
-TEST(WindowSet, ComesBackWithItsConditions) {
+TEST(WindowSet, IsReadBackWithConditions) {
   const Folder folder;
   const WindowSet in = set_of_conditions();
   const WindowSet out = load_set(save(folder, in));
@@ -97,7 +97,7 @@ TEST(WindowSet, ComesBackWithItsConditions) {
   EXPECT_EQ(out.defect_size_mm, in.defect_size_mm);
 }
 
-TEST(WindowSet, SaysConditionsAsLongAsAllOfItsWindowsDo) {
+TEST(WindowSet, KeepsConditionsWhileAllWindowsHaveThem) {
   WindowSet set = set_of_conditions();
   set.append(set_of_conditions(), 1);
   EXPECT_THAT(set.condition, ElementsAre(1, 0, every_condition, 0));
@@ -108,7 +108,7 @@ TEST(WindowSet, SaysConditionsAsLongAsAllOfItsWindowsDo) {
   EXPECT_THAT(set.defect_size_mm, IsEmpty());
 }
 
-TEST(WindowSet, IsRefusedWithConditionsThatCannotBe) {
+TEST(WindowSet, IsRefusedWithInvalidConditions) {
   const Folder folder;
   const auto refused = [&](auto spoil, const std::string& says) {
     WindowSet set = set_of_conditions();
@@ -125,10 +125,10 @@ TEST(WindowSet, IsRefusedWithConditionsThatCannotBe) {
   refused([](WindowSet& s) { s.info.conditions[1].shaft_speed_rpm = -1; },
           "/conditions/shaft_speed_rpm");
   refused([](WindowSet& s) { s.info.conditions[0].test = s.info.conditions[1].test = false; },
-          "/conditions/test names no condition");
+          "/conditions/test is 0 for all conditions");
 }
 
-TEST(WindowSet, GeneratedOrEmptyComesBackToo) {
+TEST(WindowSet, IsReadBackIfGeneratedOrEmpty) {
   const Folder folder;
   const WindowSet generated = load_set(save(folder, generated_set()));
   EXPECT_THAT(generated.record, IsEmpty());
@@ -136,7 +136,7 @@ TEST(WindowSet, GeneratedOrEmptyComesBackToo) {
   EXPECT_EQ(load_set(save(folder, empty_set())).size(), 0U);
 }
 
-TEST(WindowSet, AppendsWithAllThatIsKnown) {
+TEST(WindowSet, AppendsWindowsWithAllFacts) {
   WindowSet set = empty_set();
   set.append(cut_set(), 1);
   set.append(cut_set(), 2);
@@ -149,7 +149,7 @@ TEST(WindowSet, AppendsWithAllThatIsKnown) {
   EXPECT_EQ(set.parameters[1].stiffness_n_per_m, 5);
 }
 
-TEST(WindowSet, OfCutAndGeneratedWindowsKeepsWhatAllHave) {
+TEST(WindowSet, KeepsCommonFactsOfCutAndGeneratedWindows) {
   WindowSet set = cut_set();
   set.append(generated_set(), 0);
   set.append(cut_set(), 0);
@@ -160,7 +160,7 @@ TEST(WindowSet, OfCutAndGeneratedWindowsKeepsWhatAllHave) {
   EXPECT_EQ(set.parameters.size(), 5U);
 }
 
-TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
+TEST(WindowSet, KeepsTheImpactTimesOfWindows) {
   const Folder folder;
   const auto struck = [&](const std::vector<std::vector<double>>& impact_times_s) {
     WindowSet set = generated_set();
@@ -174,11 +174,11 @@ TEST(WindowSet, KeepsWhenEachWindowIsStruck) {
   impact_times_s.back().push_back(0.9 * end_s);
   EXPECT_EQ(struck(impact_times_s).impact_times_s, impact_times_s);
   impact_times_s[0] = {0.5 * end_s, 0.25 * end_s};
-  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds an impact");
   impact_times_s[0] = {end_s};
-  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds an impact");
   impact_times_s[0] = {-0.1 * end_s};
-  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds a strike");
+  EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/time_s holds an impact");
   impact_times_s[0] = {0};
   impact_times_s.push_back({0});
   EXPECT_ERROR(struck(impact_times_s), Exit::bad_input, "/strikes/window does not name windows");
@@ -192,7 +192,7 @@ WindowSet set_with_parents() {
   return set;
 }
 
-TEST(WindowSet, KeepsOfWhichKnownWindowsEachWasMade) {
+TEST(WindowSet, KeepsTheParentsOfWindows) {
   const Folder folder;
   const WindowSet out = load_set(save(folder, set_with_parents()));
   EXPECT_EQ(out.parents, set_with_parents().parents);
@@ -201,7 +201,7 @@ TEST(WindowSet, KeepsOfWhichKnownWindowsEachWasMade) {
   EXPECT_THAT(load_set(save(folder, cut_set())).start_angle_rad, IsEmpty());
 }
 
-TEST(WindowSet, SaysParentsAsLongAsAllOfItsWindowsDo) {
+TEST(WindowSet, KeepsParentsWhileAllWindowsHaveThem) {
   WindowSet set = set_with_parents();
   set.append(set_with_parents(), 1);
   EXPECT_THAT(set.parents,
@@ -212,7 +212,7 @@ TEST(WindowSet, SaysParentsAsLongAsAllOfItsWindowsDo) {
   EXPECT_THAT(set.start_angle_rad, IsEmpty());
 }
 
-TEST(WindowSet, IsRefusedWithParentsOrAnglesThatCannotBe) {
+TEST(WindowSet, IsRefusedWithInvalidParentsOrAngles) {
   const Folder folder;
   const auto refused = [&](auto spoil, const std::string& says) {
     WindowSet set = set_with_parents();
@@ -221,19 +221,19 @@ TEST(WindowSet, IsRefusedWithParentsOrAnglesThatCannotBe) {
   };
   refused([](WindowSet& s) { s.parents[1] = {-1}; }, "/parents/known holds -1");
   refused([](WindowSet& s) { s.parents.push_back({0}); },
-          "/parents/window does not name windows in their order");
+          "/parents/window does not name windows in order");
   refused([](WindowSet& s) { s.start_angle_rad[1] = 6.3; }, "/start_angle_rad");
   refused([](WindowSet& s) { s.start_angle_rad[1] = -0.1; }, "/start_angle_rad");
   refused([](WindowSet& s) { s.start_angle_rad.pop_back(); }, "/start_angle_rad");
 }
 
-TEST(WindowSet, TakesNoWindowOfAnotherLength) {
+TEST(WindowSet, RefusesWindowsOfAnotherLength) {
   WindowSet set = empty_set();
   set.length = 3;
   EXPECT_THROW(set.append(cut_set(), 0), std::logic_error);
 }
 
-TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
+TEST(WindowSet, IsRefusedIfItsPartsDoNotMatch) {
   const Folder folder;
   const auto with = [&](const auto& change) {
     WindowSet set = cut_set();
@@ -244,9 +244,9 @@ TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
   EXPECT_ERROR(with([](auto& s) { s.labels[1] = -1; }), Exit::bad_input, "/labels holds label -1");
   EXPECT_ERROR(with([](auto& s) { s.record[1] = 2; }), Exit::bad_input, "points to record 2 of 2");
   EXPECT_ERROR(with([](auto& s) { s.record.pop_back(); }), Exit::bad_input,
-               "/record/index misfits");
+               "/record/index does not match");
   EXPECT_ERROR(with([](auto& s) { s.first_sample.pop_back(); }), Exit::bad_input,
-               "/first_sample misfits");
+               "/first_sample does not match");
   EXPECT_ERROR(with([](auto& s) { s.first_sample[0] = -5; }), Exit::bad_input, "holds -5");
   EXPECT_ERROR(with([](auto& s) {
                  s.samples.clear();
@@ -255,7 +255,7 @@ TEST(WindowSet, IsRefusedWhereItsPartsDoNotFit) {
                Exit::bad_input, "/windows has windows of 0 samples");
 }
 
-TEST(WindowSet, IsInTheOrderOfRecordingsAndOfTheirTime) {
+TEST(WindowSet, OrdersWindowsByRecordAndTime) {
   WindowSet set = empty_set();
   set.labels = {0, 2, 0, 2, 0};
   set.record_names = {"N", "R"};

@@ -260,7 +260,7 @@ TEST_F(Classify, HasAWindowEachStep) {
 }
 
 TEST_F(Classify, NeedsOneRecordingOrADescription) {
-  const std::string words = "name either one --recording, or a --description of several";
+  const std::string words = "name either one --recording or a --description of several";
   expect_refused({"--classifier", "classifier.h5"}, 2, {words});
   describe();
   expect_refused(with(classify(), "--description", "mine.toml"), 2, {words});

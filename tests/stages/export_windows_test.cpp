@@ -183,7 +183,7 @@ TEST_F(Export, OfRecordedWindowsSaysWhereTheyWereCut) {
 TEST_F(Export, SaysWhatItCannotDo) {
   tiny.write("E.labels.csv", "former");
   const std::set<std::string> before = tiny.files();
-  expect_refusal(exported("E.xlsx"), "export_windows", 2, {"E.xlsx", ".csv, .mat, .npy and .wav"});
+  expect_refusal(exported("E.xlsx"), "export_windows", 2, {"E.xlsx", ".csv, .mat, .npy or .wav"});
   expect_refusal(exported("E.csv", {"--class", "XR"}), "export_windows", 2,
                  {"XR", "IR007", "OR021"});
   expect_refusal(exported("E.csv", {"--class", "Normal"}), "export_windows", 65,

@@ -33,7 +33,7 @@ TEST_F(Healthy, WindowsAreStoredAsASpectrumAndNamedAsAnInput) {
 
 TEST_F(Healthy, WindowsMustBeBOfTheSameSplit) {
   expect_refusal(tiny_.run("train", with(train_on_healthy, "--healthy", "D.h5")), "train", 65,
-                 {"D.h5", "role D", "needed is B"});
+                 {"D.h5", "role D", "must have role B"});
   fs::create_directory(tiny_ / "other");
   ASSERT_EQ(tiny_
                 .run("split",
@@ -41,7 +41,7 @@ TEST_F(Healthy, WindowsMustBeBOfTheSameSplit) {
                 .status,
             0);
   expect_refusal(tiny_.run("train", with(train_on_healthy, "--healthy", "other/B.h5")), "train", 65,
-                 {"other/B.h5", "not of one split"});
+                 {"other/B.h5", "not belong to one split"});
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 

@@ -150,7 +150,8 @@ TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
   EXPECT_EQ(refused.status, 65);
   EXPECT_THAT(refused.out, HasSubstr("at most 477 fit, at stride 1: lower windows-per-class (and "
                                      "test-per-class) or window, in [split] of the description"));
-  EXPECT_EQ(refused.err, "ingest: dataset rig cannot be used as it is, see above\n");
+  EXPECT_EQ(refused.err,
+            "ingest: dataset rig has problems, see above; correct its description or its files\n");
   describe(good_description +
            "[split]\nwindows-per-class = 60\ntest-per-class = 20\nwindow = 512\n");
   const Outcome outcome = run();

@@ -269,12 +269,11 @@ TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
   description.replace(description.rfind("acceleration"), 12, "x");
   folder_.write("raw.toml", description);
   folder_.write("data/inner.mat", harmful::claiming_v5());
-  expect_refused(65, {"data/inner.mat", "variable x is said to have 2147483647 values"});
+  expect_refused(65, {"data/inner.mat", "variable x declares 2147483647 values"});
   arguments_ = {"--check", "--description", "raw.toml", "--data-dir", "data"};
   const Outcome check = run();
   EXPECT_EQ(check.status, 65);
-  EXPECT_NE(check.out.find("data/inner.mat: variable x is said to have"), std::string::npos)
-      << check.out;
+  EXPECT_NE(check.out.find("data/inner.mat: variable x declares"), std::string::npos) << check.out;
 }
 
 TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {

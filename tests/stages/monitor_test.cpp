@@ -113,7 +113,7 @@ TEST_F(Monitored, AGrowingFileIsFollowedUntilSigterm) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, monitor({"--input", "whole.f32", "--every-s", "0"}).out);
   EXPECT_THAT(outcome.err,
-              HasSubstr("70 windows in 6.0 s of signal until it was told to stop: 1 alarm; nothing "
+              HasSubstr("70 windows in 6.0 s of signal until it was stopped: 1 alarm; nothing "
                         "lost"));
 }
 
@@ -128,8 +128,8 @@ TEST_F(Monitored, AFileThatIsCutIsReadAnewAndSaidToBe) {
   following.send(SIGINT);
   const Outcome outcome = following.wait();
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("raw.f32: was cut or replaced after 2.0 s of signal"));
-  EXPECT_THAT(outcome.err, HasSubstr("lost: the file began anew 1 time"));
+  EXPECT_THAT(outcome.err, HasSubstr("raw.f32: was truncated or replaced after 2.0 s of signal"));
+  EXPECT_THAT(outcome.err, HasSubstr("lost: the file restarted 1 time"));
 }
 
 TEST_F(Monitored, WhatComesTooLateIsTold) {
@@ -148,7 +148,7 @@ TEST_F(Monitored, WhatComesTooLateIsTold) {
   recorder.close();
   const Outcome outcome = listening.wait();
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("after 1.0 s of signal no samples come"));
+  EXPECT_THAT(outcome.err, HasSubstr("after 1.0 s of signal, no samples arrive"));
   EXPECT_THAT(outcome.err, HasSubstr("s late"));
   EXPECT_THAT(outcome.err, HasSubstr("; late "));
 }
@@ -201,7 +201,7 @@ TEST_F(Monitored, OtherFormatsSayTheSame) {
   expect_refusal(monitor({"--format", "wav", "--sample-rate-hz", "24000"}, piped), "monitor", 65,
                  {"standard input", "12000 Hz", "--sample-rate-hz 24000"});
   expect_refusal(monitor({"--input", "raw.f32", "--format", "wav"}), "monitor", 65,
-                 {"raw.f32", "does not begin as WAV does"});
+                 {"raw.f32", "does not begin like WAV"});
 }
 
 TEST_F(Monitored, AnotherByteOrderIsNamed) {
@@ -222,7 +222,7 @@ TEST_F(Monitored, AGarbledLineIsAGap) {
   const Outcome outcome = monitor({"--input", "raw.txt", "--format", "text", "--every-s", "0"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("raw.txt, line 1501: '12.3.4' is not a number; a line of "
-                                     "--format text holds one sample; such lines are gaps"));
+                                     "--format text must hold one sample; such lines are gaps"));
   EXPECT_THAT(outcome.err, HasSubstr("3 windows in 0.3 s of signal until its end"));
   EXPECT_THAT(outcome.err, HasSubstr("lost: 1 line not a number"));
 }
@@ -285,7 +285,7 @@ TEST_F(Monitored, AFullDiskIsAnError) {
   small_disk.largest_file = 500;
   const Outcome outcome = monitor({"--input", "raw.f32"}, small_disk);
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("standard output cannot be written"));
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write to standard output"));
 }
 
 }  // namespace

@@ -42,10 +42,10 @@ TEST_F(Oracle, PutsRealWindowsInThePlaceOfGeneratedOnes) {
 
 TEST_F(Oracle, TakesTheDOfItsOwnSplitOnly) {
   expect_refusal(tiny_.run("train", with(train, "--real", "C.h5")), "train", 65,
-                 {"C.h5", "role C", "needed is D"});
+                 {"C.h5", "role C", "must have role D"});
   split_again("--seed", "1");
   expect_refusal(tiny_.run("train", with(train, "--real", "other/D.h5")), "train", 65,
-                 {"other/D.h5", "not of one split"});
+                 {"other/D.h5", "not belong to one split"});
   split_again("--protocol", "blocked");
   expect_refusal(tiny_.run("train", with(train, "--real", "other/D.h5")), "train", 65,
                  {"other/D.h5", "protocol"});

@@ -105,7 +105,7 @@ TEST(OutputsOfTabulate, OneThatCannotBeWrittenLeavesNoTable) {
   Surroundings small_disk;
   small_disk.largest_file = 200;  // some tables are smaller
   expect_refusal(run(tiny.path(), "tabulate", step_of("tabulate").arguments, small_disk),
-                 "tabulate", 1, {"File too large", "make room"});
+                 "tabulate", 1, {"File too large", "free some space"});
   EXPECT_EQ(tiny.files(), before);
   for (const std::string table : {"accuracy.csv", "quality.csv", "tables.tex"}) {
     fs::create_symlink(tiny / "elsewhere", tiny / ("run/tiny/" + table));

@@ -10,14 +10,14 @@
 namespace piae::text {
 namespace {
 
-TEST(Lines, AreThoseOfTheFile) {
+TEST(Lines, AreReadInOrder) {
   const Folder folder;
   EXPECT_THAT(read_lines(folder.write("a.txt", "one\n\ntwo\r\nthree")),
               testing::ElementsAre("one", "", "two\r", "three"));
   EXPECT_THAT(read_lines(folder.write("b.txt", "")), testing::IsEmpty());
 }
 
-TEST(Lines, OfAPipeAreNotWaitedFor) {
+TEST(Lines, RefuseAPipe) {
   const Folder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   EXPECT_ERROR(read_lines(folder / "pipe"), Exit::input_missing, "pipe: is not a file");

@@ -47,7 +47,7 @@ Table wide_table() {
   return table;
 }
 
-TEST(Table, ThatIsTooWideIsWrittenAsSeveralWithTheSameWords) {
+TEST(Table, IsSplitIfTooWide) {
   EXPECT_EQ(wide_table().markdown(39), wide_table().markdown());
   EXPECT_EQ(wide_table().markdown(38),
             "| class |   first |\n"
@@ -80,7 +80,7 @@ TEST(Table, IsATabularInLatex) {
             "\\end{tabular}\n");
 }
 
-TEST(Table, RowsThatGoOnStayTogetherInLatex) {
+TEST(Table, KeepsContinuedRowsTogetherInLatex) {
   Table table({"", "", "n"}, 2);
   table.row({"a", "here", "1"});
   table.row({"", "paper", "2"});
@@ -93,7 +93,7 @@ TEST(Table, RowsThatGoOnStayTogetherInLatex) {
                                        "  \\bottomrule\n"));
 }
 
-TEST(Table, HasInCsvTheColumnsThatHaveANameThere) {
+TEST(Table, HasTheColumnsWithACsvNameInCsv) {
   Table table({"method"}, 1);
   table.column({"accuracy", true, "mean"});
   table.column({"std", true, "std", Shown::in_csv});

@@ -50,7 +50,7 @@ TEST(CarryOptions, OfALoadZoneThatEndsBeforeItBeginsAreRefused) {
   CarryOptions options;
   options.strengths.load = {.least_extent = 0.8, .largest_extent = 0.4};
   EXPECT_ERROR(require_sense(options, {}, {}), Exit::usage,
-               "--load-zone-from is above --load-zone-to");
+               "--load-zone-from must not be above --load-zone-to");
   artefact::Writer writer("model");
   table_of(options).write(writer);
   writer.save(scratch_file("zone.h5"), {});

@@ -55,7 +55,7 @@ TEST(PriorOptions, AreStoredAndRead) {
   EXPECT_EQ(read.largest_level_db, Prior{}.largest_level_db);
   prior = prior_of("--size-from-mm 3 --size-to-mm 2");
   EXPECT_ERROR(table_of(prior).require_order(), Exit::usage,
-               "--size-from-mm is above --size-to-mm");
+               "--size-from-mm must not be above --size-to-mm");
 }
 
 TEST(ImpulseOptions, AreStoredAndRead) {
@@ -68,7 +68,7 @@ TEST(ImpulseOptions, AreStoredAndRead) {
   EXPECT_EQ(read.modulation, 0.5);
   options.lowest_part = 0.95;
   EXPECT_ERROR(table_of(options).require_order(), Exit::usage,
-               "--resonance-from is above --resonance-to");
+               "--resonance-from must not be above --resonance-to");
 }
 
 }  // namespace

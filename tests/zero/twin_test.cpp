@@ -213,7 +213,7 @@ TEST(ZeroTwin, RefusesABearingThatNoDefectOfItsSizeFits) {
   signal::WindowSet healthy = healthy_windows();
   healthy.info.bearing.inner_raceway_mm = 5;
   const Machine machine(healthy);
-  EXPECT_ERROR(Twin(machine, {}), Exit::bad_input, "distance of two balls");
+  EXPECT_ERROR(Twin(machine, {}), Exit::bad_input, "distance between two balls");
 }
 
 TEST(ZeroWindows, SayConditionAndSpeedWhereConditionsAreToldApart) {

@@ -153,7 +153,7 @@ test_what_cannot_be_is_refused_before_any_cell() {
   sed -i 's/"dept=2"/"depth=2"/' pipeline/protocol.toml
   rm pipeline/datasets/other.toml
   expect_line "$(ask transfer DATASETS=real 2>&1)" \
-    "protocol.toml, line 18: transfer.first.datasets holds 'other', and there is no pipeline/datasets/other.toml"
+    "protocol.toml, line 18: transfer.first.datasets holds 'other', but there is no pipeline/datasets/other.toml"
   expect_exit 2 ask transfer DATASETS=real
   expect_equal "$(ran)" ""
   ask cells DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # everything else still runs

@@ -99,7 +99,7 @@ test_pages_say_what_the_programs_say() {
   installed
   local page=$prefix/share/man/man1/piae-dt-split.1.gz
   expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-window.fR ')" '^Samples in a window$'
-  expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-max.-stride.fR ')" '^Samples between two windows at most'
+  expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-max.-stride.fR ')" '^Largest distance between window starts'
   expect_line "$(gzip -dc "$page" | head -n 1)" "^\.TH \"PIAE-DT-SPLIT\" 1 \"[0-9-]{10}\" \"piae-dt $version\""
 }
 
