@@ -30,7 +30,7 @@ struct Sources {
 
 void require_one_source(const Sources& sources) {
   if (sources.lone.file.empty() == sources.description.empty()) {
-    throw Error(Exit::usage, "name either one --recording or a --description of several");
+    throw Error(Exit::usage, "give either --recording or --description");
   }
   const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
                         !sources.lone.variable.empty();
@@ -44,10 +44,10 @@ void require_one_source(const Sources& sources) {
 int main(int argc, char** argv) {
   cli::Stage stage(
       "classify",
-      "Names the fault in recordings with a classifier that `diagnose --keep-classifier` kept. "
-      "Gives the class and a calibrated probability for each window and for the whole recording, "
-      "or \"unknown\" if it resembles nothing that was trained. The picture also shows the "
-      "evidence: the envelope spectrum with the fault lines of the bearing.",
+      "Predicts the fault in recordings with a classifier that `diagnose --keep-classifier` "
+      "stored: class and calibrated probability of each window and of the whole recording, or "
+      "\"unknown\" if it differs from all trained classes. The picture adds the evidence: the "
+      "envelope spectrum with the fault lines of the bearing.",
       "classify --classifier classifier.h5 --recording bearing7.csv --variable 1 "
       "--sample-rate-hz 25600 --speed-rpm 1500 --picture bearing7.svg");
   fs::path classifier_file;
@@ -56,34 +56,37 @@ int main(int argc, char** argv) {
   fs::path csv;
   fs::path picture;
   std::size_t step = 0;
-  stage.input_file("--classifier", classifier_file, "classifier.h5 made by diagnose");
+  stage.input_file("--classifier", classifier_file,
+                   "trained classifier, classifier.h5 of diagnose --keep-classifier");
   stage
       .input_file("--recording", sources.lone.file,
                   "one recording: text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW or sound")
       .required(false);
-  stage.options().add(
-      "--variable", sources.lone.variable,
-      "variable of a .mat, column of a .csv (its name or number), dataset of an .h5");
+  stage.options().add("--variable", sources.lone.variable,
+                      "variable, dataset, column (name or number) or channel of the recording");
   stage.options()
       .add("--sample-rate-hz", sources.lone.sample_rate_hz, "sample rate of the recording, Hz")
       .check(cli::within(signal::ranges::sample_rate_hz));
   stage.options()
-      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "shaft speed, rpm")
+      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "shaft speed of the recording, rpm")
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   stage
       .input_file("--description", sources.description,
-                  "description of recordings (TOML), instead of --recording")
+                  "Dataset description (TOML) of several recordings, instead of --recording")
       .required(false);
-  stage.input_file("--data-dir", sources.data_dir, "folder of the files in the description")
+  stage.input_file("--data-dir", sources.data_dir, "Folder with the files that --description names")
       .required(false);
-  stage.options().add("--record", sources.records, "records of the description; default: all");
+  stage.options().add("--record", sources.records,
+                      "records of --description to classify (default: all)");
   stage.options()
       .add("--step", step,
-           "distance between window starts, samples at the classifier's rate; 0: the window length")
+           "samples between the starts of successive windows, at the sample rate of the "
+           "classifier; 0: the window length")
       .check(cli::whole_number(0, 1'000'000'000));
-  stage.output_file("--output", output, "predictions of all windows (HDF5)").required(false);
-  stage.output_file("--csv", csv, "the same as CSV").required(false);
-  stage.output_file("--picture", picture, "time lines and envelope spectra (SVG)").required(false);
+  stage.output_file("--output", output, "predictions for all windows (HDF5)").required(false);
+  stage.output_file("--csv", csv, "predictions for all windows (CSV)").required(false);
+  stage.output_file("--picture", picture, "predictions over time and envelope spectra (SVG)")
+      .required(false);
 
   return stage.run(argc, argv, [&] {
     require_one_source(sources);

@@ -16,13 +16,10 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "contrast",
-      "Sets the accuracies of two runs side by side that differ in one condition, such as the "
-      "split "
-      "protocol or the data set, with what that is worth in points, paired by seed: mean, "
-      "interval, "
-      "effect, Wilcoxon's test with Holm's correction. The cells that are named must be there; the "
-      "table has all that both runs hold. Beside the Markdown file stand the same as .csv and "
-      ".tex.",
+      "Compares the accuracies of two runs that differ in one condition, such as the split "
+      "protocol or the dataset. Writes the difference in points, paired by seed: mean, interval, "
+      "effect, Wilcoxon's test with Holm's correction. The requested cells must exist; the table "
+      "includes all cells that both runs have. Also writes the table as .csv and .tex.",
       "contrast --with results/try/cwru --without results/try-blocked/cwru --methods none piae-dt "
       "--ratios 100to1 10to1 --seeds 0 1 --output protocols.md");
   run::GridOptions options;
@@ -33,8 +30,8 @@ int main(int argc, char** argv) {
   run::bind_cells(stage.options(), options);
   run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--with", with, "Folder RUN/DATASET, such as results/try/cwru");
-  stage.input_file("--without", without, "the same without the condition");
-  stage.output_file("--output", output, "the table as Markdown, FILE.md");
+  stage.input_file("--without", without, "Folder RUN/DATASET without the condition");
+  stage.output_file("--output", output, "Table as Markdown, FILE.md");
 
   return stage.run(argc, argv, [&] {
     const report::Contrast contrast = report::read_contrast({with, without}, options, leave_out);

@@ -17,13 +17,14 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "diagnose",
-      "Trains the classifier WDCNN on the healthy windows B, the known fault windows C and, of "
-      "each fault class, the first windows of E that the ratio asks for; then tries it on the test "
-      "windows A. Every window, or spectrum of one, is freed of its mean and scaled to unit "
-      "standard deviation. The model of the last epoch is used, never one chosen on A. The "
-      "classifier nearest is not trained: it names the class of the nearest of these windows. "
-      "envelope-rule and exclusion-rule compare fault lines, and spectra, with those of B alone. "
-      "symptom-net is trained on what both measure, with settings of its own.",
+      "Trains a classifier on the healthy windows B, the known fault windows C and the first "
+      "generated windows E of each fault class (the number depends on --ratio). Then tests it on "
+      "the test windows A. Each window, or its spectrum, has its mean removed and is scaled to "
+      "unit standard deviation. WDCNN keeps the model of the last epoch; the test windows never "
+      "select a model. nearest is not trained: it predicts the class of the nearest of these "
+      "windows. envelope-rule and exclusion-rule compare fault lines and spectra with the "
+      "healthy windows only. symptom-net is a network on these symptoms, with settings of its "
+      "own.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::WdcnnOptions options;
@@ -36,34 +37,35 @@ int main(int argc, char** argv) {
   fs::path output;
   fs::path classifier_file;
   bind(stage, files);
-  stage.output_file("--output", output, "diagnosis.h5, predictions and training curves")
+  stage.output_file("--output", output, "predictions and training curves, diagnosis.h5")
       .required(false);
   stage
       .output_file(
           "--keep-classifier", classifier_file,
-          "classifier.h5: the trained classifier itself, for classify and monitor. It is "
-          "trained five times more, to learn how sure it may be of windows it has not seen")
+          "trained classifier for classify and monitor, classifier.h5; training is repeated "
+          "five times to calibrate its probabilities")
       .required(false);
   stage.file_flag("--keep-features", keep_features,
-                  "also store what the classifier makes of the test windows: its last hidden layer "
-                  "and its output layer");
+                  "also store the outputs of the last hidden layer and of the output layer for "
+                  "the test windows");
   stage.options()
       .add("--ratio", ratio_name,
-           "normal to fault windows, and in brackets the generated ones of each fault class: " +
+           "ratio of healthy to fault windows (in brackets: generated windows of each fault "
+           "class): " +
                scoring::list_of_ratios())
       .required();
   stage.options().add("--classifier", classifier_name, diagnosis::list_of_classifiers());
   stage.record_unless_default("--classifier");
   bind(stage.options(), run);
   stage.options().flag("--reproducible", reproducible,
-                       "leave out the attribute train_windows_per_second, the one thing here that "
-                       "differs from run to run, so that the bytes are the same each time");
+                       "leave out the attribute train_windows_per_second, so that repeated runs "
+                       "give the same bytes");
   bind(stage.options(), options);
 
   return stage.run(argc, argv, [&] {
     const diagnosis::Classifier& classifier = diagnosis::the_classifier(classifier_name);
     if (output.empty() && classifier_file.empty()) {
-      throw Error(Exit::usage, "--output is required, or --keep-classifier");
+      throw Error(Exit::usage, "give --output or --keep-classifier (see diagnose --help)");
     }
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     const diagnosis::MakeWdcnnBackend make_backend =

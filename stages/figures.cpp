@@ -29,7 +29,7 @@ bool save(figures::Source& source, const figures::Figure& figure) {
     if (error.exit() == Exit::failed)
       throw;  // such as a full disk: then the other figures cannot be written, either
     spdlog::warn("{} is not drawn: {}", figure.name, error.what());
-    if (was_drawn) spdlog::warn("the picture that there was of {} is removed", figure.name);
+    if (was_drawn) spdlog::warn("the old picture of {} is removed", figure.name);
   }
   return false;
 }
@@ -46,11 +46,11 @@ run::Grid requested_cells(const run::Layout& layout, const run::GridOptions& opt
 int main(int argc, char** argv) {
   cli::Stage stage(
       "figures",
-      "Writes the numbers of each figure of RUN/DATASET as RUN/DATASET/figures/NAME.csv, or "
-      "NAME@PART.csv where it has several parts, from the artefacts there. A figure whose "
-      "artefacts are missing is named and left out; the others are written. A file that would "
-      "not change is left as it is. The methods, ratios and seeds that are named must be there; "
-      "the figures have all cells that are, and need no others where nothing is named.",
+      "Writes the numbers of each figure of RUN/DATASET to RUN/DATASET/figures/NAME.csv, or to "
+      "NAME@PART.csv if it has several parts. Reports and leaves out a figure with missing "
+      "artefacts, and writes the others. Does not touch a file that would not change. The "
+      "requested methods, ratios and seeds must exist; the figures include all cells of the run. "
+      "If nothing is requested, no cell is required.",
       "figures --run results/try --dataset cwru --methods none piae-dt --ratios 100to1 "
       "10to1 --seeds 0 1 --published results/published");
   run::GridOptions options{};

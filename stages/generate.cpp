@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 int main(int argc, char** argv) {
   cli::Stage stage("generate",
-                   "Makes windows of every fault class with a trained model (paper, eqs 15 and 26) "
-                   "and writes them as dataset E, with the (k, c) that each came from, the "
-                   "tested condition and the strikes, where the method knows them. The first n "
-                   "windows of a class do not depend on --count.",
+                   "Generates windows of each fault class with a trained model (paper, eqs 15 "
+                   "and 26) and writes them as dataset E. Stores the (k, c), the tested "
+                   "condition and the impacts of each window if the method knows them. The first "
+                   "n windows of a class do not depend on --count.",
                    "generate --model model.h5 --count 495 --seed 0 --output E.h5");
   std::size_t count = 495;
   cli::RunOptions run;
@@ -28,8 +28,8 @@ int main(int argc, char** argv) {
       .add("--count", count, "windows of each fault class")
       .check(cli::whole_number(1, 1000000));
   bind(stage.options(), run);
-  stage.input_file("--model", model_file, "model.h5 made by train");
-  stage.output_file("--output", output, "E.h5, the generated windows");
+  stage.input_file("--model", model_file, "trained model, model.h5 of train");
+  stage.output_file("--output", output, "generated windows, E.h5");
 
   return stage.run(argc, argv, [&] {
     const artefact::Reader model = stage.open("model", model_file, "model");

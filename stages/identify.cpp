@@ -23,7 +23,7 @@ report::Identification identify(const run::Layout& layout, const std::string& me
   const artefact::Reader real(layout.real_windows(seed), "windows");
   if (model.text("/", "method") != method || model.integer("/", "seed") != seed) {
     model.refuse("/",
-                 fmt::format("is of method {}, seed {}; here it must be {}, seed {}",
+                 fmt::format("has method {}, seed {}, but must have {}, seed {}",
                              model.text("/", "method"), model.integer("/", "seed"), method, seed));
   }
   signal::require_role(real, signal::Role::hidden);
@@ -41,11 +41,10 @@ report::Identification identify(const run::Layout& layout, const std::string& me
 int main(int argc, char** argv) {
   cli::Stage stage(
       "identify",
-      "Makes identifiability.csv, scatter.csv and identifiability.md in RUN/DATASET: how well the "
-      "stiffness and damping that models infer of the windows D, which they have not seen, agree "
-      "with those that the windows were simulated with (R², bias, correlation², a scatter table). "
-      "The models of the methods and seeds that are named must be there; the tables have all that "
-      "the run holds.",
+      "Makes identifiability.csv, scatter.csv and identifiability.md in RUN/DATASET: agreement "
+      "of the stiffness and damping that models infer from the unseen windows D with the values "
+      "of the simulation (R², bias, correlation², a scatter table). The models of the requested "
+      "methods and seeds must exist; the tables include all models of the run.",
       "identify --run results/try --dataset simulated --methods piae-dt --seeds 0 1");
   report::IdentifiabilityOptions options;
   fs::path run_folder;

@@ -19,9 +19,9 @@ constexpr int not_due = 3;  // exit code of --is-due; 1 would be the same as a f
 
 int main(int argc, char** argv) {
   cli::Stage stage("plan",
-                   "Prints which steps of a run are to be done, and why. A step is due when a file "
-                   "that it makes is missing or damaged, when the settings that made it differ "
-                   "from those of pipeline/, or when an input has other contents.",
+                   "Prints the steps of a run that are due, and why. A step is due if a file "
+                   "that it makes is missing or damaged, if the settings that made it differ "
+                   "from those of pipeline/, or if an input has changed.",
                    "plan --run try --datasets cwru --goals all");
   plan::RequestOptions requested;
   plan::PlanOptions options;
@@ -41,16 +41,19 @@ int main(int argc, char** argv) {
        {"missing", plan::Format::missing},
        {"jobs", plan::Format::jobs},
        {"costs", plan::Format::costs}},
-      "why: a line for each step; make: a makefile; summary: how much; missing: the files that "
-      "tables lack; jobs: for a cluster; costs: what steps took, for jobs/costs.csv");
+      "why: a line for each step; make: a makefile; summary: numbers of steps; missing: files "
+      "that tables lack; jobs: lists for a cluster; costs: durations of steps, for jobs/costs.csv");
   stage.options().flag("--whole", whole,
-                       "Of a run from its grid to its pages; why and summary can be of all that");
-  stage.options().flag("--quietly", quietly, "Of a makefile: hide the commands");
-  stage.output_file("--jobs-folder", jobs.folder, "Where the lists of jobs go").required(false);
-  stage.options().add("--cores", jobs.cores, "Of a job").check(cli::whole_number(1, 100000));
-  stage.options().add("--minutes", jobs.minutes, "That a job takes").check(cli::positive_number());
+                       "Plan the whole run, from its grid to its pages (formats why and summary)");
+  stage.options().flag("--quietly", quietly, "Hide the commands of the makefile");
+  stage.output_file("--jobs-folder", jobs.folder, "Folder for the lists of jobs").required(false);
+  stage.options().add("--cores", jobs.cores, "Cores of a job").check(cli::whole_number(1, 100000));
+  stage.options()
+      .add("--minutes", jobs.minutes, "Minutes that a job takes")
+      .check(cli::positive_number());
   stage.options().add("--is-due", due, "Exit with 0 if this step is due, with 3 if it is not");
-  stage.options().add("--note", noted, "Note that this step has made its files as is asked now");
+  stage.options().add("--note", noted,
+                      "Record that this step has made its files with the present settings");
 
   int result = 0;
   const int exit = stage.run(argc, argv, [&] {

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "readings",
-      "Makes readings.csv and readings.md in RUN/DATASET from the cells of readings of the paper: "
-      "settings of piae-dt where its words leave a choice. For each: accuracy, also by the nearest "
-      "neighbour on spectra; the quality of the generated windows; losses, their weights and how "
-      "far these are from the stationary point of eq. 23; stiffness and damping, and against the "
-      "true ones where windows are simulated. The cells lie in seedK/readings/NAME.",
+      "Makes readings.csv and readings.md in RUN/DATASET for interpretations of the paper: "
+      "settings of piae-dt that its text leaves open. For each: accuracy, also of nearest on "
+      "spectra; quality of the generated windows; losses, their weights and the distance of the "
+      "weights from the stationary point of eq. 23; stiffness and damping, and their true values "
+      "if windows are simulated. The cells are in seedK/readings/NAME.",
       "readings --run results/readings --dataset cwru --readings batches=class "
       "--ratios 10to1 1to1 --seeds 100 101 --published results/published");
   readings::ReadingsOptions options;
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     const std::string tables = report::markdown(document(requested, rows));
     text::save_all({{layout.readings_csv(), csv(requested.grid.dataset, rows)},
                     {layout.readings_markdown(), tables}});
-    std::cout << fmt::format("tabulated {} readings: {}\n", requested.readings.size(),
+    std::cout << fmt::format("tabulated {} interpretations: {}\n", requested.readings.size(),
                              layout.readings_markdown().string());
   });
 }

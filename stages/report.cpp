@@ -16,7 +16,9 @@ namespace {
 
 void require_folder(const fs::path& run) {
   if (!fs::is_directory(run)) {
-    throw Error(Exit::input_missing, run.string() + ": there is no such folder of a run");
+    throw Error(Exit::input_missing, run.string() +
+                                         ": is not a folder; give the folder of a "
+                                         "run, such as results/try");
   }
 }
 
@@ -32,10 +34,10 @@ std::size_t missing_cells(const page::ReportContents& contents) {
 int main(int argc, char** argv) {
   cli::Stage stage(
       "report",
-      "Makes RUN/report.html, one file with the verdict, tables, figures, settings and provenance "
-      "of a run; RUN/report.md, the same on one page for terminals; and RUN/run.html, when each "
-      "step ran and what it took. Works on an unfinished run: what is missing is named on top. The "
-      "same cells give the same report.html and report.md in any folder.",
+      "Makes RUN/report.html, one file with verdict, tables, figures, settings and provenance of "
+      "a run; RUN/report.md, the same on one page for terminals; and RUN/run.html, the time and "
+      "resources of each step. The run may be unfinished: missing cells are listed at the top. "
+      "The same cells give the same report.html and report.md in any folder.",
       "report --run results/try --datasets cwru --published results/published");
   page::RequestedCells requested;
   fs::path run_folder;
@@ -56,7 +58,7 @@ int main(int argc, char** argv) {
     text::save_if_changed({run_folder / "report.md", report_text(contents)});
     text::save_if_changed(
         {run_folder / "run.html", run_page(run::read_step_logs(run_folder), style)});
-    std::cout << fmt::format("reported {} data sets, {} cells missing, {:.2f} MB: {}\n",
+    std::cout << fmt::format("reported {} datasets, {} cells missing, {:.2f} MB: {}\n",
                              contents.datasets.size(), missing_cells(contents),
                              static_cast<double>(html.size()) / 1e6,
                              (run_folder / "report.html").string());

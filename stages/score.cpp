@@ -26,26 +26,25 @@ std::string without_line(const scoring::QualityRecord& record) {
     if (scoring::has_line(record.info, quality.label)) continue;
     names += (names.empty() ? "" : ", ") + record.info.class_of(quality.label).name;
   }
-  return names.empty() ? "" : " (no fault line of " + names + ", as the defect is 'other')";
+  return names.empty() ? "" : " (without fault line: " + names + ", because the defect is 'other')";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::Stage stage("score",
-                   "Compares the generated windows of each class with the real ones that no "
-                   "generator has seen: MMD (its square, as is the custom; no unit), RMSE as the "
-                   "paper has it and after the best circular shift (unit of the recordings), ratio "
-                   "of RMS amplitudes (generated to real), log-spectral distance (dB), and how far "
-                   "the lines of the class's own fault stand out of the envelope spectrum (dB; and "
-                   "that minus what real windows show).",
+                   "Compares the generated windows of each class with real windows that no "
+                   "generator has used: MMD² (no unit), RMSE as in the paper and after the best "
+                   "circular shift (unit of the recordings), ratio of RMS amplitudes (generated "
+                   "/ real), log-spectral distance (dB), and the excess of the class's own fault "
+                   "lines in the envelope spectrum (dB; also minus that of real windows).",
                    "score --generated E.h5 --real D.h5 --output score.h5");
   fs::path generated_file;
   fs::path real_file;
   fs::path output;
-  stage.input_file("--generated", generated_file, "E.h5 made by generate");
-  stage.input_file("--real", real_file, "D.h5 made by split");
-  stage.output_file("--output", output, "score.h5, the metrics of each class");
+  stage.input_file("--generated", generated_file, "generated windows, E.h5 of generate");
+  stage.input_file("--real", real_file, "hidden real windows, D.h5 of split");
+  stage.output_file("--output", output, "metrics of each class, score.h5");
 
   return stage.run(argc, argv, [&] {
     const artefact::Reader generated = stage.open("generated", generated_file, "windows");

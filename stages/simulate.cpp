@@ -31,11 +31,11 @@ void stream_to(const fs::path& output, const signal::Simulation& simulation,
 
 int main(int argc, char** argv) {
   cli::Stage stage("simulate",
-                   "Simulates the vibration of healthy and faulty bearings (paper, section 3.1, "
-                   "eqs 5 to 13).\nBearing, classes, distributions of stiffness and damping, slip "
-                   "and noise stand in the description.\nWith --stream it simulates one machine "
-                   "that runs on and on, and in which a defect may appear, as raw samples: float32 "
-                   "in m/s^2, in the byte order of this machine, without a header.",
+                   "Simulates the vibration of healthy and faulty bearings (paper, Section 3.1, "
+                   "eqs 5 to 13).\nThe description gives bearing, classes, distributions of "
+                   "stiffness and damping, slip and noise.\nWith --stream it simulates one "
+                   "running machine, in which a defect may appear. The output is raw samples: "
+                   "float32 in m/s^2, in the byte order of this machine, without a header.",
                    "simulate --description pipeline/datasets/simulated.toml --output records.h5\n"
                    "  simulate --description pipeline/datasets/simulated.toml --stream OR007 "
                    "--duration-s 60 --appears-at-s 30 --output -");
@@ -43,12 +43,13 @@ int main(int argc, char** argv) {
   fs::path output;
   std::string class_name;
   signal::MachineOptions machine;
-  stage.input_file("--description", description, "dataset description with a table [simulation]");
+  stage.input_file("--description", description,
+                   "Dataset description (TOML) with a table [simulation]");
   stage.output_file("--output", output,
-                    "records.h5 to write; with --stream the raw samples, or - for standard output");
+                    "recordings, records.h5; with --stream the raw samples (-: standard output)");
   const cli::Options streaming = stage.options().in_group("One machine");
   streaming.add("--stream", class_name,
-                "class of the machine's defect, or that of healthy bearings: simulate one machine");
+                "simulate one machine with the defect of this class, or the healthy class");
   bind(streaming, machine);
   for (const char* option : {"--stream", "--duration-s", "--appears-at-s", "--drift-s", "--seed"}) {
     stage.record_unless_default(option);
@@ -59,8 +60,8 @@ int main(int argc, char** argv) {
     if (!class_name.empty()) return stream_to(output, simulation, class_name, machine);
     if (machine != signal::MachineOptions{}) {
       throw Error(Exit::usage,
-                  "--duration-s, --appears-at-s, --drift-s and --seed are of one machine: name its "
-                  "class with --stream (the seed of records stands in the description)");
+                  "--duration-s, --appears-at-s, --drift-s and --seed need --stream CLASS (the "
+                  "description gives the seed of records)");
     }
     stage.note_input("description", description);
     const std::size_t records = simulation.records();

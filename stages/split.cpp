@@ -16,7 +16,7 @@ namespace {
 void print_summary(const signal::Split& split, const signal::SplitOptions& options) {
   const signal::DatasetInfo& info = split.sets.front().info;
   if (options.known_per_class == 0) {
-    std::cout << "no fault window is known (known-per-class = 0), so C.h5 holds none\n";
+    std::cout << "no fault windows are known (known-per-class = 0), so C.h5 is empty\n";
   }
   // Counts come first, because make cuts the line at the width of the terminal.
   std::cout << "split:";
@@ -35,14 +35,15 @@ void print_summary(const signal::Split& split, const signal::SplitOptions& optio
 
 int main(int argc, char** argv) {
   cli::Stage stage("split",
-                   "Cuts records into windows and shares them out: A test, B healthy, C the known "
-                   "fault windows, D the hidden ones that generated windows are compared with.",
+                   "Cuts recordings into windows and assigns roles to them: A test, B healthy, C "
+                   "known faults, D hidden real windows, with which generated windows are "
+                   "compared.",
                    "split --records records.h5 --seed 0 --protocol random --output-dir "
                    "results/try/cwru/seed0");
   signal::SplitOptions options;
   fs::path records;
   fs::path folder;
-  stage.input_file("--records", records, "records.h5 made by ingest or simulate");
+  stage.input_file("--records", records, "recordings, records.h5 of ingest or simulate");
   stage.output_file("--output-dir", folder, "Folder for A.h5, B.h5, C.h5 and D.h5");
   bind(stage.options(), options);
 

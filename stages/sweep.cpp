@@ -35,13 +35,13 @@ Tables tables_of(const report::Sweep& sweep, const std::vector<report::SweepRow>
 int main(int argc, char** argv) {
   cli::Stage stage(
       "sweep",
-      "Makes sweep.csv and sweep.md in RUN/DATASET from the diagnoses of a sweep, in which one "
-      "setting of piae-dt at a time is moved (paper, Section 4.5.5 and Fig. 19). They lie in "
+      "Makes sweep.csv and sweep.md in RUN/DATASET from the diagnoses of a sweep, which changes "
+      "one setting of piae-dt at a time (paper, Section 4.5.5 and Fig. 19). The diagnoses are in "
       "seedK/sweep/FACTOR-VALUE/RATIO/CLASSIFIER, those of --centre in "
-      "seedK/piae-dt/RATIO/CLASSIFIER. Of another --method everything is called sweep@METHOD, and "
-      "the tables say what each of its parts is worth. The ratios and seeds that are named must be "
-      "there; the tables have all that the run holds. Lists may be several values, or one with "
-      "commas.",
+      "seedK/piae-dt/RATIO/CLASSIFIER. With another --method all names have sweep@METHOD, and "
+      "the tables show the effect of each of its parts. The requested ratios and seeds must "
+      "exist; the tables include all cells of the run. Lists may be several values, or one value "
+      "with commas.",
       "sweep --run results/try --dataset cwru --points batch=1 batch=5 --centre batch=5 "
       "--ratios 1to1 --seeds 0 1");
   (void)stage.choose_variant(argc, argv, "--method");

@@ -23,17 +23,14 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "tabulate",
-      "Makes the tables of RUN/DATASET from the diagnoses and scores there, with the published "
-      "figures beside ours: accuracy.csv, gains.csv and quality.csv; comparisons.csv and "
-      "ranks.csv, "
-      "which say what is more than chance; decisions.csv, which has decisions over several windows "
-      "of a record, where the test windows (A.h5) are there, and confidence.csv, which says how "
-      "many windows may be answered; recommendation.csv, which says which method to take; all of "
-      "them for people as tables.md and tables.tex; and summary.txt, which says in one small table "
-      "and a few sentences what was seen and what to take. The "
-      "methods, "
-      "ratios and seeds that are named must be there; the tables have all cells that are. Prints "
-      "the accuracies in percent. Lists may be several values, or one with commas.",
+      "Makes the tables of RUN/DATASET from its diagnoses and scores, next to the published "
+      "figures: accuracy.csv, gains.csv, quality.csv; comparisons.csv and ranks.csv (tests of "
+      "significance); decisions.csv (decisions over several windows of a record, if A.h5 is "
+      "there); confidence.csv (share of windows that can be answered); recommendation.csv (the "
+      "method to use); tables.md and tables.tex (all of them, for people); summary.txt (results "
+      "and recommendation in a small table and a few sentences). The requested methods, ratios "
+      "and seeds must exist; the tables include all cells of the run. Prints the accuracies in "
+      "percent. Lists may be several values, or one value with commas.",
       "tabulate --run results/try --dataset cwru --methods none piae-dt --ratios "
       "100to1 10to1 --seeds 0 1 --published results/published");
   run::GridOptions options;
@@ -42,12 +39,11 @@ int main(int argc, char** argv) {
   fs::path published_folder;
   bind(stage.options(), options);
   run::bind_classifiers(stage.options(), options.classifiers,
-                        "where they are named, `none` must also have its cell of nearest; wdcnn "
-                        "alone where they are not");
+                        "if given, `none` also needs its cell of nearest; default: wdcnn");
   stage.options().add("--against", against,
-                      "Method that all others are compared with; where it is not given, "
-                      "piae-dt-phase or else piae-dt, where they are among the methods; where "
-                      "faults are known in other conditions than tested, first strike-twin");
+                      "Method to compare all others with. Default: piae-dt-phase, otherwise "
+                      "piae-dt, if it is among the methods; strike-twin first if faults are "
+                      "known in other conditions than tested");
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
 

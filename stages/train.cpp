@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "train",
-      "Trains a generator on the known fault windows (paper, Sections 3.2 and 3.3) and "
-      "writes its model: weights, curves, digital twin space. Every --method has "
-      "options of its own: train --method piae-dt --help.",
+      "Trains a generator on the known fault windows (paper, Sections 3.2 and 3.3) and writes "
+      "its model: weights, curves, digital twin space. Each --method has its own options: see "
+      "train --method piae-dt --help.",
       "train --method piae-dt --known seed0/C.h5 --seed 0 --output model.h5");
   std::string name = stage.choose_variant(argc, argv, "--method");
   cli::RunOptions run;
@@ -30,12 +30,13 @@ int main(int argc, char** argv) {
   fs::path model_file;
   stage.options()
       .add("--method", name,
-           "one of: " + fmt::format("{}", fmt::join(augment::method_names(), ", ")))
+           "method that makes fault windows, one of: " +
+               fmt::format("{}", fmt::join(augment::method_names(), ", ")))
       .required();
   bind(stage.options(), run);
-  stage.input_file("--known", known_file, "C.h5: the known fault windows, made by split");
+  stage.input_file("--known", known_file, "known fault windows, C.h5 of split");
   stage.output_file("--output", model_file,
-                    "the model; FILE.checkpoint stands beside it meanwhile");
+                    "trained model, model.h5; FILE.checkpoint exists next to it during training");
   std::unique_ptr<augment::Method> method;
   const augment::CatalogueEntry* const entry = augment::find_entry(name);
   if (entry != nullptr && entry->make != nullptr) {
@@ -43,14 +44,14 @@ int main(int argc, char** argv) {
     method->bind(stage.options().in_group(name));
     if (method->learns_from() == augment::LearnsFrom::real) {
       stage.input_file("--real", real_file,
-                       "D.h5 of the same split, which only a ceiling learns from");
+                       "hidden real windows, D.h5 of split; for ceilings only");
     }
     if (entry->uses_healthy) {
       stage
           .input_file("--healthy", healthy_file,
                       entry->without_known
-                          ? "B.h5 of the same split: the healthy windows that faults are made of"
-                          : "B.h5 of the same split, for --background-from healthy")
+                          ? "healthy windows that get the faults, B.h5 of split"
+                          : "healthy windows for --background-from healthy, B.h5 of split")
           .required(entry->without_known);
     }
   }

@@ -16,18 +16,17 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "transfer",
-      "Sets the methods side by side in the mean over a group of data sets that know faults in one "
-      "condition and test them in another, each method with the input of WDCNN that was chosen for "
-      "it on other seeds: accuracy, the differences from one of them paired by seed with "
-      "Wilcoxon's test and Holm's correction, and all inputs. Writes transfer@GROUP.csv, "
-      "transfer-comparisons@GROUP.csv and transfer@GROUP.md into the folder of the run. "
-      "pipeline/protocol.toml describes the groups.",
+      "Compares methods over a group of datasets that know faults in one condition and test them "
+      "in another. Each method has the input of WDCNN that other seeds chose for it. Writes mean "
+      "accuracies, differences from one method paired by seed (Wilcoxon's test with Holm's "
+      "correction), and all inputs: transfer@GROUP.csv, transfer-comparisons@GROUP.csv and "
+      "transfer@GROUP.md in the folder of the run. pipeline/protocol.toml describes the groups.",
       "transfer --config pipeline/protocol.toml --run results/try --group speeds "
       "--methods none strike-twin --ratio 1to1 --classifiers wdcnn wdcnn-spectra --seeds 0 1");
   report::TransferOptions options;
   fs::path run_folder;
   options.group = stage.choose_variant(argc, argv, "--group");
-  stage.options().add("--group", options.group, "Group of data sets, such as speeds").required();
+  stage.options().add("--group", options.group, "Group of datasets, such as speeds").required();
   bind(stage.options(), options);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
@@ -40,7 +39,7 @@ int main(int argc, char** argv) {
     text::save_all({{file("transfer", ".csv"), report::transfer_csv(group)},
                     {file("transfer-comparisons", ".csv"), report::transfer_comparisons_csv(group)},
                     {document, report::markdown(report::transfer_document(group))}});
-    std::cout << fmt::format("averaged {} pairs of method and input over {} data sets: {}\n",
+    std::cout << fmt::format("averaged {} pairs of method and input over {} datasets: {}\n",
                              group.rows.size(), group.datasets.size(), document.string());
   });
 }

@@ -16,17 +16,16 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "trust",
-      "Makes trust.csv and trust.md in RUN/DATASET: of the classifiers that `diagnose "
-      "--keep-classifier` kept, how often they are right when they say how sure they are, and "
-      "whether they notice a fault that was not trained. Of all cells that are named.",
+      "Makes trust.csv and trust.md in RUN/DATASET for the requested classifiers of `diagnose "
+      "--keep-classifier`: how often they are correct at a given confidence, and whether they "
+      "notice a fault that was not trained.",
       "trust --run results/try --dataset cwru --methods none shift --ratios 100to1 1to1 "
       "--seeds 0 1");
   run::GridOptions options;
   fs::path run_folder;
   bind(stage.options(), options);
   run::bind_classifiers(stage.options(), options.classifiers,
-                        "where they are named, `none` must also have its cell of nearest; wdcnn "
-                        "alone where they are not");
+                        "if given, `none` also needs its cell of nearest; default: wdcnn");
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
 
   return stage.run(argc, argv, [&] {

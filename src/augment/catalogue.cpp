@@ -109,7 +109,7 @@ constexpr CatalogueEntry entries[] = {
      .needs = Needs::size},
     {.name = "piae-dt-phase",
      .kind = Kind::ours,
-     .what = "the twin with the angle of the shaft in its space",
+     .what = "the twin with the shaft angle as a coordinate of its space",
      .make = make<PiaeDtPhase>,
      .infers = true,
      .trains = true,
@@ -117,14 +117,14 @@ constexpr CatalogueEntry entries[] = {
      .recommended = true},
     {.name = "strike-twin",
      .kind = Kind::ours,
-     .what = "known windows struck as in the tested condition",
+     .what = "known windows with the impacts of the tested condition",
      .make = make<StrikeTwin>,
      .uses_healthy = true,
      .carries = true,
      .needs = Needs::size},
     {.name = "piae-dt-zero",
      .kind = Kind::ours,
-     .what = "healthy windows struck as a prior of faults says",
+     .what = "healthy windows with impacts drawn from a prior of faults",
      .make = make<PiaeDtZero>,
      .uses_healthy = true,
      .without_known = true,
@@ -135,7 +135,7 @@ constexpr CatalogueEntry entries[] = {
      .make = make<Repetition, Shift::none>},
     {.name = "shift",
      .kind = Kind::control,
-     .what = "known windows turned round",
+     .what = "known windows, circularly shifted",
      .make = make<Repetition, Shift::circular>,
      .recommended = true},
     {.name = "resample",
@@ -155,7 +155,7 @@ constexpr CatalogueEntry entries[] = {
      .needs = Needs::impact_rate},
     {.name = "oracle",
      .kind = Kind::ceiling,
-     .what = "real windows in the place of generated ones",
+     .what = "real windows instead of generated ones",
      .make = make<Oracle>},
 };
 
@@ -198,8 +198,8 @@ void require_known_windows(const CatalogueEntry& entry, const signal::WindowSet&
                            const std::string& file) {
   if (known.size() > 0 || works_without_known(entry)) return;
   throw Error(Exit::bad_input,
-              fmt::format("{}: holds no known fault window (known-per-class = 0), and {} learns "
-                          "from those; methods that need none: {}",
+              fmt::format("{}: has no known fault windows (known-per-class = 0), but {} learns "
+                          "from them; use a method that does not: {}",
                           file, entry.name, fmt::join(methods_without_known(), ", ")));
 }
 
@@ -208,9 +208,9 @@ namespace {
 /// Returns the missing fact about a class that such a method needs; empty if nothing is missing.
 std::string lack(Needs needs, const signal::DatasetInfo& info, const signal::ClassInfo& c) {
   const bool causes_impacts = bearing::causes_impacts(c.defect);
-  if (needs >= Needs::bearing && !info.has_bearing) return "[bearing], its geometry";
+  if (needs >= Needs::bearing && !info.has_bearing) return "the bearing geometry, table [bearing]";
   if (needs >= Needs::impact_rate && !causes_impacts) {
-    return "the rhythm of class " + c.name + ", whose defect is 'other'";
+    return "the impact rate of class " + c.name + ", whose defect is 'other'";
   }
   if (needs >= Needs::size && c.defect_size_mm == 0) return "defect_size_mm of class " + c.name;
   return {};
@@ -234,10 +234,11 @@ void require_described_faults(const CatalogueEntry& entry, const signal::Dataset
   for (const CatalogueEntry& other : entries) {
     if (other.make != nullptr && lack(other.needs, info).empty()) others.emplace_back(other.name);
   }
-  throw Error(Exit::bad_input,
-              fmt::format("{}: {} needs {}, which the description of {} does not say; methods that "
-                          "do without: {}",
-                          file, entry.name, lacking, info.name, fmt::join(others, ", ")));
+  throw Error(
+      Exit::bad_input,
+      fmt::format("{}: {} needs {}, which the description of {} does not give; use a method "
+                  "that does not need it: {}",
+                  file, entry.name, lacking, info.name, fmt::join(others, ", ")));
 }
 
 std::string counted_faults(const signal::WindowSet& known) {
@@ -258,8 +259,8 @@ std::unique_ptr<Method> make_method(const std::string& name) {
   if (entry != nullptr && entry->make != nullptr) return entry->make();
   const std::string known = fmt::format("{}", fmt::join(method_names(), ", "));
   throw Error(Exit::usage, name.empty()
-                               ? "--method is missing; known are " + known
-                               : "--method: unknown method '" + name + "'; known are " + known);
+                               ? "--method is missing; known: " + known
+                               : "--method: unknown method '" + name + "'; known: " + known);
 }
 
 }  // namespace piae::augment

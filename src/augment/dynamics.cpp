@@ -14,8 +14,8 @@ void require_contact(const signal::SimulationOptions& options) {
   if (options.dynamics.load_n > lift) return;
   throw Error(
       Exit::usage,
-      fmt::format("--load-n {}: must exceed {:.6g} N, the largest stiffness (its mean and 3 "
-                  "standard deviations) times the clearance: below, no ball is ever touched",
+      fmt::format("--load-n {}: must exceed {:.6g} N, the largest stiffness (mean + 3 standard "
+                  "deviations) times the clearance; below it, balls never touch the races",
                   options.dynamics.load_n, lift));
 }
 
@@ -24,19 +24,19 @@ void require_contact(const signal::SimulationOptions& options) {
 void Dynamics::bind(const cli::Options& command) {
   command
       .add("--stiffness-n-per-m", options_.dynamics.stiffness_n_per_m,
-           "K of eq. 13: mean over windows")
+           "mean stiffness K of eq. 13, N/m")
       .check(cli::positive_number());
   command
       .add("--stiffness-spread", options_.variation.stiffness_spread,
-           "of K from window to window: standard deviation / mean")
+           "spread of K between windows: standard deviation / mean")
       .check(signal::spread());
   command
       .add("--damping-ns-per-m", options_.dynamics.damping_ns_per_m,
-           "C of eq. 13: mean over windows")
+           "mean damping C of eq. 13, N s/m")
       .check(cli::positive_number());
   command
       .add("--damping-spread", options_.variation.damping_spread,
-           "of C from window to window: standard deviation / mean")
+           "spread of C between windows: standard deviation / mean")
       .check(signal::spread());
   signal::bind(command, options_);
 }

@@ -14,10 +14,11 @@ const signal::WindowSet& require_healthy(const std::optional<signal::WindowSet>&
                 "--healthy B.h5 of the same split");
   }
   if (healthy->length != known.length) {
-    throw Error(Exit::bad_input,
-                fmt::format("healthy windows have {} samples, but those of C {}; give B and C of "
-                            "one split",
-                            healthy->length, known.length));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("healthy windows have {} samples, but known windows have {}; give B and "
+                    "C of one split",
+                    healthy->length, known.length));
   }
   return *healthy;
 }

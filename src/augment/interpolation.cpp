@@ -22,7 +22,7 @@ double squared_distance(Window a, Window b) {
 
 std::vector<std::vector<std::size_t>> nearest_neighbours(const std::vector<Window>& windows,
                                                          std::size_t k) {
-  if (k >= windows.size()) throw std::logic_error("more neighbours wanted than there are");
+  if (k >= windows.size()) throw std::logic_error("more neighbours requested than there are");
   std::vector<std::vector<std::size_t>> neighbours;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     std::vector<std::pair<double, std::size_t>> others;

@@ -12,14 +12,15 @@ bool Method::needs_libtorch(const Compute& compute) const {
 }
 
 void Method::use_healthy(const signal::WindowSet& /*healthy*/) {
-  throw std::logic_error("this method learns from known windows alone");
+  throw std::logic_error("this method does not use healthy windows");
 }
 
 std::vector<signal::DynamicParameters> Method::infer(const artefact::Reader& model,
                                                      const signal::WindowSet& /*windows*/,
                                                      const Compute& /*compute*/) {
   throw Error(Exit::usage, model.path().string() + ": method " + model.text("/", "method") +
-                               " infers neither stiffness nor damping; piae-dt and its like do");
+                               " infers neither stiffness nor damping; give a model of piae-dt or "
+                               "of one of its variants");
 }
 
 }  // namespace piae::augment

@@ -24,8 +24,8 @@ std::vector<std::vector<std::size_t>> shuffled_classes(const signal::WindowSet& 
     if (count > own.size()) {
       throw Error(
           Exit::usage,
-          fmt::format("--count {}: class {} has {} real windows, and the oracle makes none; "
-                      "the largest count that works is {}",
+          fmt::format("--count {}: class {} has {} real windows, and oracle cannot make more; "
+                      "give at most --count {}",
                       count, c.name, own.size(), own.size()));
     }
     for (const std::size_t i : stream.child(c.name).permutation(own.size())) {

@@ -74,7 +74,8 @@ class Fitting final : public nets::Trainee {
 void bind(const cli::Options& command, PhysicsOptions& options) {
   bind(command, options.simulation);
   bind(command, options.fit);
-  command.add("--space-bins", options.space_bins, "bins of the digital twin space, for k and for c")
+  command
+      .add("--space-bins", options.space_bins, "bins of the digital twin space along k and along c")
       .check(cli::whole_number(1, 1000));
 }
 

@@ -25,7 +25,7 @@ struct Neighbourhood {
 void require_neighbours(const signal::ClassInfo& c, std::size_t n, int k) {
   if (static_cast<std::size_t>(k) < n) return;
   const std::string remedy =
-      n > 1 ? fmt::format("the largest that works is {}", n - 1) : "SMOTE needs at least 2";
+      n > 1 ? fmt::format("give at most --neighbours {}", n - 1) : "SMOTE needs at least 2";
   throw Error(Exit::usage, fmt::format("--neighbours {}: class {} has {} known window{}; {}", k,
                                        c.name, n, n == 1 ? "" : "s", remedy));
 }
@@ -60,7 +60,7 @@ std::size_t fewest_windows(const signal::WindowSet& known) {
 void bind(const cli::Options& command, SmoteOptions& options) {
   command
       .add("--neighbours", options.neighbours,
-           "k: a window is drawn towards one of so many nearest of its class")
+           "k: interpolate a window with one of the k nearest of its class")
       .check(cli::positive_number());
 }
 

@@ -96,15 +96,15 @@ void require_between(const std::string& option, double from, double to, const st
 void bind(const cli::Options& command, FitOptions& o) {
   command
       .add("--stiffness-from-n-per-m", o.stiffness_from_n_per_m,
-           "least stiffness of the fit; the largest is load / clearance")
+           "least stiffness to search, N/m; the largest is load / clearance")
       .check(cli::positive_number());
-  command.add("--damping-from-ns-per-m", o.damping_from_ns_per_m, "least damping of the fit")
+  command.add("--damping-from-ns-per-m", o.damping_from_ns_per_m, "least damping to search, N s/m")
       .check(cli::positive_number());
-  command.add("--damping-to-ns-per-m", o.damping_to_ns_per_m, "largest damping of the fit")
+  command.add("--damping-to-ns-per-m", o.damping_to_ns_per_m, "largest damping to search, N s/m")
       .check(cli::positive_number());
-  command.add("--stiffness-grid", o.stiffness_grid, "values of k that the fit begins with")
+  command.add("--stiffness-grid", o.stiffness_grid, "values of k on the grid that starts the fit")
       .check(cli::whole_number(2, 1000));
-  command.add("--damping-grid", o.damping_grid, "values of c that the fit begins with")
+  command.add("--damping-grid", o.damping_grid, "values of c on the grid that starts the fit")
       .check(cli::whole_number(2, 1000));
 }
 
@@ -116,7 +116,7 @@ SpectralFit::SpectralFit(const signal::WindowSimulation& simulation, Label label
   dynamics_.max_sub_step_s = sub_step_s;
   const double largest_n_per_m = bearing::largest_stiffness_n_per_m(dynamics_);
   require_between("--stiffness-from-n-per-m", options.stiffness_from_n_per_m, largest_n_per_m,
-                  "the load over the clearance: above, no ball is ever touched");
+                  "load / clearance; above it, balls never touch the races");
   require_between("--damping-from-ns-per-m", options.damping_from_ns_per_m,
                   options.damping_to_ns_per_m, "--damping-to-ns-per-m");
   low_ = {.log_k = std::log(options.stiffness_from_n_per_m),

@@ -16,7 +16,7 @@ namespace {
 const CatalogueEntry& entry_of(const artefact::Reader& model) {
   const CatalogueEntry* const entry = find_entry(model.text("/", "method"));
   if (entry == nullptr || entry->make == nullptr) {
-    model.refuse("/, attribute method", "is none of the methods that make a model");
+    model.refuse("/, attribute method", "is not a method that makes a model");
   }
   return *entry;
 }
@@ -43,7 +43,7 @@ signal::WindowSet generated_by(Method& method, const artefact::Reader& model, st
     return method.generate(model, count, stream, compute);
   } catch (const Error& error) {
     if (error.exit() != Exit::failed) throw;
-    model.refuse("/", std::string("makes no windows: ") + error.what());
+    model.refuse("/", std::string("cannot make windows: ") + error.what());
   }
 }
 
@@ -57,7 +57,7 @@ signal::WindowSet generate_with(Method& method, const artefact::Reader& model, s
   require_record_of_training(model);
   signal::WindowSet windows = generated_by(method, model, count, stream, compute);
   if (!std::ranges::all_of(windows.samples, [](float x) { return std::isfinite(x); })) {
-    model.refuse("/", "makes windows with NaN or infinite samples; train it again");
+    model.refuse("/", "makes windows with NaN or infinite samples; train the model again");
   }
   return windows;
 }

@@ -17,7 +17,7 @@ std::vector<transfer::HealthySpectrum> read_background(const artefact::Reader& m
   std::vector<transfer::HealthySpectrum> spectra = transfer::read_healthy_spectra(model, known);
   if (options.background_from == transfer::BackgroundFrom::healthy &&
       spectra.size() != known.info.tested_conditions().size()) {
-    model.refuse("/healthy", "lacks a tested condition, of which the background is to be");
+    model.refuse("/healthy", "lacks a tested condition, which the background needs");
   }
   return spectra;
 }

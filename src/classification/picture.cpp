@@ -86,9 +86,9 @@ std::string title_of(const Verdict& verdict, const DatasetInfo& info) {
   const std::string true_class =
       verdict.recording.true_class.empty()
           ? ""
-          : fmt::format(" (said to be {})", verdict.recording.true_class);
+          : fmt::format(" (described as {})", verdict.recording.true_class);
   if (verdict.unknown) {
-    return fmt::format("{}{}: unknown, {:.0f} % of its windows look like nothing that was trained",
+    return fmt::format("{}{}: unknown, {:.0f} % of its windows differ from all trained classes",
                        verdict.recording.name, true_class, 100 * verdict.share_unknown);
   }
   return fmt::format("{}{}: {}, {:.0f} % sure", verdict.recording.name, true_class,
@@ -102,12 +102,12 @@ std::string picture_of(const std::vector<Verdict>& verdicts, const DatasetInfo& 
   const double height = panel_height_of(info);
   const double row_height = panel_top + height + below_panel;
   Svg svg(page_width, top + row_height * static_cast<double>(verdicts.size()) + 8,
-          "what the classifier names, and the envelope spectra");
-  svg.text({time_left, 24}, "what each window is named", Anchor::start, 16, true);
-  svg.text({time_left, 46}, "darker: surer; grey: unknown");
+          "predicted classes and envelope spectra");
+  svg.text({time_left, 24}, "predicted class of each window", Anchor::start, 16, true);
+  svg.text({time_left, 46}, "darker: more probable; grey: unknown");
   svg.text({spectrum_left, 46}, "envelope spectrum, dB over its median");
   if (!verdicts.empty()) {
-    draw_line_legend(svg, verdicts.front().lines, {spectrum_left, 24}, "the named fault");
+    draw_line_legend(svg, verdicts.front().lines, {spectrum_left, 24}, "the predicted fault");
   }
   double y = top;
   for (const Verdict& verdict : verdicts) {

@@ -72,7 +72,7 @@ void require_classification(const artefact::Reader& reader) {
   const auto require_labels = [&](const std::string& path, std::size_t n) {
     for (const Label label : reader.numbers<Label>(path, {n}).values) {
       if (label < 0 || index_of(label) >= info.classes.size()) {
-        reader.refuse(path, "has a label that no class has");
+        reader.refuse(path, "has a label without a class");
       }
     }
   };
@@ -90,7 +90,7 @@ void require_classification(const artefact::Reader& reader) {
   const auto of_window = reader.numbers<std::int32_t>("/windows/recording", {0}).values;
   for (const std::int32_t recording : of_window) {
     if (recording < 0 || static_cast<std::size_t>(recording) >= recordings) {
-      reader.refuse("/windows/recording", "has an index that no recording has");
+      reader.refuse("/windows/recording", "has an index without a recording");
     }
   }
   require_labels("/windows/label", of_window.size());

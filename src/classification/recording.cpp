@@ -36,8 +36,8 @@ void require_records(const signal::Description& description, const std::vector<s
     }
     std::string there;
     for (const auto& record : description.records) there += " " + record.name;
-    throw Error(Exit::usage,
-                fmt::format("--record: {} has no record '{}'; there are{}", file, name, there));
+    throw Error(Exit::usage, fmt::format("--record: {} does not have a record '{}'; known:{}", file,
+                                         name, there));
   }
 }
 
@@ -89,7 +89,7 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
     throw Error(
         Exit::bad_input,
         fmt::format("{}: has {} samples at {:g} Hz, but a window of the classifier has {}; "
-                    "record for longer",
+                    "make a longer recording",
                     recording.name, recording.signal.size(), trained.sample_rate_hz, length));
   }
   signal::WindowSet windows;
@@ -106,7 +106,7 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
     if (signal::is_constant(windows.window(windows.size() - 1))) {
       const double from_s = static_cast<double>(first) / trained.sample_rate_hz;
       throw Error(Exit::bad_input,
-                  fmt::format("{}: nothing moves from {:.3g} to {:.3g} s, a dead channel; cut that "
+                  fmt::format("{}: is constant from {:.3g} to {:.3g} s (a dead channel); cut that "
                               "stretch out",
                               recording.name, from_s,
                               from_s + static_cast<double>(length) / trained.sample_rate_hz));

@@ -57,7 +57,7 @@ std::string words_of(const inspection::FaultLine& line) {
 /// fault's own line is faint and another stands out, returns both: an analyst would have decided
 /// differently.
 std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
-  if (!info.has_bearing) return "no bearing known";
+  if (!info.has_bearing) return "bearing unknown";
   const signal::Defect named = info.class_of(verdict.label).defect;
   const inspection::FaultLine* const farthest = inspection::farthest(verdict.lines);
   if (verdict.unknown || !bearing::causes_impacts(named)) {
@@ -109,13 +109,15 @@ std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Tr
   const diagnosis::ClassifierOrigin& origin = kept.origin();
   return fmt::format(
       "by {} of {}, trained on {} windows ({} {}, seed {})\n"
-      "of windows that it was not trained on it named {:.1f} % rightly;\nthe probabilities {}\n{}",
+      "accuracy on windows outside the training set: {:.1f} %\nprobabilities {}\n{}",
       kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
       origin.ratio, origin.seed, 100 * trust.accuracy,
       kept.calibration().windows > 0
-          ? fmt::format("were off by {:.1f} points in the mean", 100 * trust.calibration_error)
-          : "are uncalibrated: no known windows could be left out to find a temperature",
-      kept.novelty() ? "" : "it cannot tell what is unknown: no fault was known as it is tested\n");
+          ? fmt::format("were off by {:.1f} points on average", 100 * trust.calibration_error)
+          : "are not calibrated: there are too few windows to leave some out",
+      kept.novelty()
+          ? ""
+          : "unknown faults are not detected: no fault is known in the tested condition\n");
 }
 
 std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {

@@ -67,7 +67,7 @@ std::vector<Label> read_labels(const artefact::Reader& reader, const std::string
   if (labels.empty()) reader.refuse(path, "is empty");
   for (const Label label : labels) {
     if (label < 0 || index_of(label) >= info.classes.size()) {
-      reader.refuse(path, "has a label that no class has");
+      reader.refuse(path, "has a label without a class");
     }
   }
   return labels;

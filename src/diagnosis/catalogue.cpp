@@ -29,8 +29,8 @@ const Classifier* find_classifier(const std::string& name) {
 const Classifier& the_classifier(const std::string& name) {
   const Classifier* const found = find_classifier(name);
   if (found != nullptr) return *found;
-  throw Error(Exit::usage, "unknown classifier '" + name + "'; known are " +
-                               comma_list(known_classifiers, &Classifier::name));
+  throw Error(Exit::usage, "unknown classifier '" + name +
+                               "'; known: " + comma_list(known_classifiers, &Classifier::name));
 }
 
 std::vector<std::string> rules() {

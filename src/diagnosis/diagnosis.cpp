@@ -17,14 +17,13 @@ namespace {
 void require_fitting_options(const Task& task, const Inputs& inputs) {
   const Classifier& classifier = task.classifier;
   if (task.keep_features && !classifier.trains()) {
-    throw Error(Exit::usage, fmt::format("--keep-features: {} has no layers; leave it out, or "
-                                         "choose another --classifier",
+    throw Error(Exit::usage, fmt::format("--keep-features: {} does not have layers; leave the "
+                                         "option out, or choose another --classifier",
                                          classifier.name));
   }
   if (classifier.rule && inputs.generated) {
-    throw Error(Exit::usage, fmt::format("--generated: {} is a rule, which learns from healthy "
-                                         "windows alone; leave the option out, and choose "
-                                         "--ratio {}",
+    throw Error(Exit::usage, fmt::format("--generated: {} is a rule and uses healthy windows "
+                                         "only; leave the option out and give --ratio {}",
                                          classifier.name, scoring::all_ratios().front().name));
   }
 }
@@ -105,7 +104,7 @@ std::string Diagnosis::summary_of(const scoring::DiagnosisRecord& record) const 
   const Classifier& classifier = task_.classifier;
   const std::string basis =
       classifier.rule
-          ? fmt::format("against {} healthy ones", inputs_.normal.size())
+          ? fmt::format("by comparison with {} healthy windows", inputs_.normal.size())
           : fmt::format("{} {}", classifier.trains() ? "after training on" : "by the nearest of",
                         training_set_.size());
   const std::string by =

@@ -32,7 +32,8 @@ void require_fitting_signal(const signal::DatasetInfo& trained, double sample_ra
   if (sample_rate_hz < trained.sample_rate_hz) {
     throw Error(Exit::bad_input,
                 fmt::format("{}: is sampled at {:g} Hz, but the classifier was trained at {:g} Hz; "
-                            "record at that rate or above, or train a classifier at this one",
+                            "record at that rate or a higher one, or train a classifier at this "
+                            "rate",
                             what, sample_rate_hz, trained.sample_rate_hz));
   }
   const std::set<double> speeds = trained_speeds_rpm(trained);
@@ -41,11 +42,12 @@ void require_fitting_signal(const signal::DatasetInfo& trained, double sample_ra
   };
   if (std::ranges::any_of(speeds, is_near)) return;
   const std::string all = fmt::format("{:g}", fmt::join(speeds, ", "));
-  throw Error(Exit::bad_input,
-              fmt::format("{}: is of {:g} rpm, but the classifier was trained at {} rpm and judges "
-                          "up to {:g} % beside that; train one for this speed (docs/strike-twin.md "
-                          "says how, where faults are known at another)",
-                          what, shaft_speed_rpm, all, 100 * speed_tolerance));
+  throw Error(
+      Exit::bad_input,
+      fmt::format("{}: was recorded at {:g} rpm, but the classifier was trained at {} rpm and "
+                  "allows a deviation of {:g} %; train a classifier for this speed "
+                  "(docs/strike-twin.md, if faults are known at another speed only)",
+                  what, shaft_speed_rpm, all, 100 * speed_tolerance));
 }
 
 }  // namespace piae::diagnosis

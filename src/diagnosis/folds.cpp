@@ -43,8 +43,8 @@ void add(Folds& folds, const std::vector<std::int32_t>& tested) {
 std::size_t fold_of_parent(const std::vector<std::int32_t>& of_known, std::size_t parent) {
   if (parent < of_known.size()) return static_cast<std::size_t>(of_known[parent]);
   throw Error(Exit::bad_input,
-              fmt::format("--generated: says that a window was made of known window {}, but "
-                          "--known holds {}; give the files of one split",
+              fmt::format("--generated: a window was made from known window {}, but --known holds "
+                          "{} windows; give files of one split",
                           parent, of_known.size()));
 }
 

@@ -34,10 +34,12 @@ Inputs read_inputs(const artefact::Reader& test, const artefact::Reader& normal,
 }
 
 void bind(cli::Stage& stage, InputFiles& files) {
-  stage.input_file("--test", files.test, "A.h5 made by split");
-  stage.input_file("--normal", files.normal, "B.h5 made by split");
-  stage.input_file("--known", files.known, "C.h5 made by split");
-  stage.input_file("--generated", files.generated, "E.h5 made by generate; not with 100to1")
+  stage.input_file("--test", files.test, "test windows, A.h5 of split");
+  stage.input_file("--normal", files.normal, "healthy windows, B.h5 of split");
+  stage.input_file("--known", files.known, "known fault windows, C.h5 of split");
+  stage
+      .input_file("--generated", files.generated,
+                  "generated windows, E.h5 of generate; not with 100to1")
       .required(false);
 }
 

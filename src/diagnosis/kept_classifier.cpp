@@ -25,7 +25,7 @@ std::size_t read_window_length(const artefact::Reader& reader) {
 const Classifier& read_kind_of_classifier(const artefact::Reader& reader) {
   const std::string name = reader.text("/", "classifier");
   const Classifier* const found = find_classifier(name);
-  if (found == nullptr) reader.refuse("/", "classifier is '" + name + "', of which none is known");
+  if (found == nullptr) reader.refuse("/", "has the unknown classifier '" + name + "'");
   return *found;
 }
 
@@ -100,12 +100,12 @@ void KeptClassifier::require_prediction(const artefact::Reader& reader) {
   try {
     predictions = predict(window_of_noise(info_, length_));
   } catch (const Error& error) {
-    reader.refuse("/", std::string("cannot be asked about a window: ") + error.what());
+    reader.refuse("/", std::string("cannot classify a window: ") + error.what());
   }
   const auto is_finite = [](double number) { return std::isfinite(number); };
   if (!std::ranges::all_of(predictions.probabilities, is_finite) ||
       !std::ranges::all_of(predictions.novelty, is_finite)) {
-    reader.refuse("/", "has no finite answer to a window");
+    reader.refuse("/", "gives NaN or infinite outputs for a window");
   }
 }
 

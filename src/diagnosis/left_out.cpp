@@ -33,8 +33,7 @@ LeftOut judge_left_out(const WindowSet& training, const Folds& folds, const Trai
     const WindowSet tested =
         chosen_of(training, [&](std::size_t i) { return folds.tested[i] == fold; });
     if (tested.size() == 0) continue;
-    const Outputs outputs =
-        train(normal, kept, fold)->outputs(tested, "a window that was left out");
+    const Outputs outputs = train(normal, kept, fold)->outputs(tested, "a left-out window");
     all.logits.insert(all.logits.end(), outputs.logits.begin(), outputs.logits.end());
     all.labels.insert(all.labels.end(), tested.labels.begin(), tested.labels.end());
   }

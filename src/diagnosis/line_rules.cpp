@@ -37,9 +37,9 @@ void require_lines(const DatasetInfo& info) {
     const signal::ClassInfo& own = info.class_of(label);
     if (bearing::causes_impacts(own.defect)) continue;
     throw Error(Exit::bad_input,
-                fmt::format("class {} of dataset {} has defect '{}', which has no fault line to go "
-                            "by; rules name defects of the bearing alone: choose another "
-                            "classifier, such as wdcnn or nearest",
+                fmt::format("class {} of dataset {} has defect '{}', which does not have a fault "
+                            "line; rules detect defects of the bearing only: choose another "
+                            "--classifier, such as wdcnn or nearest",
                             own.name, info.name, signal::to_string(own.defect)));
   }
 }
@@ -54,9 +54,9 @@ void require_one_class_a_type(const DatasetInfo& info) {
     if (other == label) continue;
     throw Error(
         Exit::bad_input,
-        fmt::format("rules name kinds of defects, but dataset {} has several classes of one "
-                    "kind, {} and {}; choose a data set with one class a kind, such as "
-                    "cwru-types, or another classifier",
+        fmt::format("rules tell fault types apart, but dataset {} has several classes of one "
+                    "type, {} and {}; choose a dataset with one class of each type, such as "
+                    "cwru-types, or another --classifier",
                     info.name, info.class_of(*other).name, own.name));
   }
 }

@@ -70,14 +70,14 @@ std::unique_ptr<Trained> read_rule(const artefact::Reader& reader, const signal:
 
 inline constexpr Classifier envelope_rule{
     .name = "envelope-rule",
-    .what = "fault lines against healthy windows, without any training",
+    .what = "fault lines compared with healthy windows, untrained",
     .input = "the envelope spectrum over orders of the shaft",
     .rule = true,
     .learn = learn_rule<Rule::envelope>,
     .read = read_rule<Rule::envelope>};
 inline constexpr Classifier exclusion_rule{
     .name = "exclusion-rule",
-    .what = "the same; and a change without a line is a ball",
+    .what = "the same, and a changed spectrum without a fault line is a ball fault",
     .input = "the envelope spectrum over orders of the shaft and the log power in 48 bands",
     .rule = true,
     .learn = learn_rule<Rule::exclusion>,

@@ -35,8 +35,8 @@ Nearest::Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info
 Outputs Nearest::outputs(const signal::WindowSet& windows, const std::string& what) {
   if (windows.length != length_) {
     throw Error(Exit::bad_input,
-                fmt::format("{}: windows of {} samples, but those that are compared with have {}; "
-                            "both must be the same",
+                fmt::format("{}: windows of {} samples, but the training windows have {}; both "
+                            "must be the same: give files of one split",
                             what, windows.length, length_));
   }
   const BandPowers window_bands = band_powers(windows);

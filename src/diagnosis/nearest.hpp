@@ -41,11 +41,10 @@ Learned learn_nearest(const signal::WindowSet& normal, const signal::WindowSet& 
 std::unique_ptr<Trained> read_nearest(const artefact::Reader& reader,
                                       const signal::DatasetInfo& info, std::size_t length);
 
-inline constexpr Classifier nearest{
-    .name = "nearest",
-    .what = "the nearest known or generated window, without any training",
-    .input = "the log power in 128 bands",
-    .learn = learn_nearest,
-    .read = read_nearest};
+inline constexpr Classifier nearest{.name = "nearest",
+                                    .what = "the nearest known or generated window, untrained",
+                                    .input = "the log power in 128 bands",
+                                    .learn = learn_nearest,
+                                    .read = read_nearest};
 
 }  // namespace piae::diagnosis

@@ -41,7 +41,7 @@ double Novelty::largest_left_out() const {
     }
     largest = std::max(largest, nearest);
   }
-  if (!std::isfinite(largest)) throw std::logic_error("all reference windows are of one group");
+  if (!std::isfinite(largest)) throw std::logic_error("all reference windows belong to one group");
   return std::sqrt(largest);
 }
 

@@ -23,7 +23,8 @@ void require_varying(const signal::WindowSet& windows, const std::string& what) 
                 what + ": window " + std::to_string(i) + " (class " +
                     windows.info.classes[index_of(windows.labels[i])].name +
                     ") is constant and cannot be scaled to unit standard deviation; "
-                    "a window needs at least two different samples");
+                    "a window needs two different samples or more: cut dead stretches out of the "
+                    "recordings");
   }
 }
 

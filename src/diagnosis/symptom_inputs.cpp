@@ -32,9 +32,9 @@ void require_speeds(const signal::WindowSet& faults) {
     return;
   }
   throw Error(Exit::bad_input,
-              "--generated: the windows do not say at which speed of the shaft they are, which "
-              "symptom-net must know in a data set of several; take a method that says so, such as "
-              "strike-twin or piae-dt-zero, or another --classifier");
+              "--generated: the windows lack shaft speeds, which symptom-net needs in a dataset "
+              "with several speeds; use a method that stores them, such as strike-twin or "
+              "piae-dt-zero, or another --classifier");
 }
 
 auto row(const symptoms::Symptoms& symptoms) {

@@ -36,13 +36,13 @@ void require_alike(const WindowSet& set, const std::string& option, const Window
                                  const std::string& others) {
     if (own == others) return;
     refuse(option, what + " " + own + ", but " + other_option + " has " + others +
-                       "; all sets must come from one split");
+                       "; give files of one split");
   };
   require_equal("is of dataset", set.info.name, other.info.name);
   require_equal("has sample rate (Hz)", std::to_string(set.info.sample_rate_hz),
                 std::to_string(other.info.sample_rate_hz));
   require_equal("has windows of length", std::to_string(set.length), std::to_string(other.length));
-  require_equal("has a number of classes of", std::to_string(set.info.classes.size()),
+  require_equal("has the number of classes", std::to_string(set.info.classes.size()),
                 std::to_string(other.info.classes.size()));
   for (std::size_t i = 0; i < set.info.classes.size(); ++i) {
     require_equal("has class " + std::to_string(i), set.info.classes[i].name,
@@ -53,9 +53,11 @@ void require_alike(const WindowSet& set, const std::string& option, const Window
 void require_windows_of_class(const WindowSet& set, const std::string& option, Label label,
                               bool belongs) {
   if ((set.count_of(label) > 0) == belongs) return;
-  refuse(option, belongs ? "holds no window of class " + in_quotes(set, label) + "; it needs some"
+  refuse(option, belongs ? "has no window of class " + in_quotes(set, label) +
+                               "; give the file that split or "
+                               "generate made for this option"
                          : "holds windows of class " + in_quotes(set, label) +
-                               ", which do not belong there; give the file that split or generate "
+                               ", which do not belong in it; give the file that split or generate "
                                "made for this option");
 }
 
@@ -103,15 +105,15 @@ void require_enough_of_each(const WindowSet& generated, std::size_t per_class) {
 
 void require_generated_where_used(const WindowSet* generated, std::int64_t per_class) {
   if (generated == nullptr && per_class > 0) {
-    throw Error(Exit::usage, "--generated: missing, but the ratio needs " +
+    throw Error(Exit::usage, "--generated is missing, but the ratio needs " +
                                  std::to_string(per_class) +
                                  " generated windows for each fault class; give E.h5, or choose "
                                  "--ratio 100to1");
   }
   if (generated != nullptr && per_class == 0) {
     throw Error(Exit::usage,
-                "--generated: this ratio uses no generated window; leave the option out, or choose "
-                "another --ratio, such as 10to1");
+                "--generated: this ratio does not use generated windows; leave the option out, or "
+                "choose another --ratio, such as 10to1");
   }
 }
 
@@ -159,13 +161,13 @@ void require_faults(const WindowSet& training, const Classifier& classifier,
   if (classifier.rule || training.count_of(training.info.healthy_label()) < training.size()) return;
   const std::vector<std::string> there = rules();
   const std::string cure =
-      there.empty() ? ""
-                    : fmt::format(", or choose a rule by --classifier: {}", fmt::join(there, ", "));
-  throw Error(Exit::bad_input,
-              fmt::format("{}: holds no known fault window (known-per-class = 0), and without any, "
-                          "{} cannot learn what a fault is; give --generated windows of a method "
-                          "that needs no known ones{}",
-                          known_file, classifier.name, cure));
+      there.empty() ? "" : fmt::format(", or a rule by --classifier: {}", fmt::join(there, ", "));
+  throw Error(
+      Exit::bad_input,
+      fmt::format("{}: has no known fault windows (known-per-class = 0), and {} cannot learn "
+                  "faults without any; give --generated windows of a method that does not "
+                  "need known windows{}",
+                  known_file, classifier.name, cure));
 }
 
 void require_fitting_test_set(const WindowSet& test, const WindowSet& training) {

@@ -58,7 +58,7 @@ Trust trust_in(KeptClassifier& kept, const signal::WindowSet& test) {
 
 std::string summary_of(const KeptClassifier& kept, const Trust& trust) {
   return fmt::format(
-      "{} with temperature {:.2f} by {} windows left out: calibration error {:.1f} % of the test "
+      "{} with temperature {:.2f} from {} left-out windows: calibration error {:.1f} % on the test "
       "windows, {:.1f} % of them called unknown",
       kept.classifier().name, kept.calibration().temperature, kept.calibration().windows,
       100 * trust.calibration_error, 100 * trust.called_unknown);
@@ -93,8 +93,7 @@ Trust read_trust(const artefact::Reader& reader, const signal::DatasetInfo& info
   if (!reader.has("/trust/untrained_class")) return trust;
   const auto labels = reader.numbers<Label>("/trust/untrained_class", {0}).values;
   if (labels != info.fault_labels()) {
-    reader.refuse("/trust/untrained_class",
-                  "must name each class of fault once, in ascending order");
+    reader.refuse("/trust/untrained_class", "must name each fault class once, in ascending order");
   }
   const auto read = [&](const std::string& path) {
     auto values = reader.numbers<double>(path, {labels.size()}).values;

@@ -18,7 +18,7 @@ namespace {
 void require_trainable(const LabelledWindows& train) {
   if (train.size() < 2) {
     throw Error(Exit::bad_input, "WDCNN: " + std::to_string(train.size()) +
-                                     " training windows; batch normalisation needs at least 2");
+                                     " training windows; batch normalisation needs 2 or more");
   }
   if (static_cast<std::int64_t>(train.length) < WdcnnLayers::shortest_window) {
     throw Error(Exit::bad_input, "WDCNN: windows of " + std::to_string(train.length) +
@@ -63,18 +63,19 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
 
 Outputs predict_by_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
   if (windows.size() == 0) {
-    throw Error(Exit::bad_input, "WDCNN: no test window; give at least 1");
+    throw Error(Exit::bad_input, "WDCNN: there are no test windows; give 1 or more");
   }
   if (windows.length != length) {
     throw Error(Exit::bad_input, "WDCNN: training windows of " + std::to_string(length) +
                                      " samples, test windows of " + std::to_string(windows.length) +
-                                     "; both must be the same");
+                                     "; both must be the same: give files of one split");
   }
   Outputs outputs = network.outputs(windows);
   if (!std::ranges::all_of(outputs.scores, [](float score) { return std::isfinite(score); })) {
-    throw Error(Exit::failed,
-                "WDCNN: what it makes of a window is not finite, so its training has diverged; "
-                "the learning rate was too high, a smaller one would work");
+    throw Error(
+        Exit::failed,
+        "WDCNN: the outputs for a window are not finite, because its training has diverged; "
+        "use a smaller --learning-rate");
   }
   return outputs;
 }

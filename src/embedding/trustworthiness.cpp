@@ -41,9 +41,9 @@ Index rank_among(const Eigen::ArrayXd& distances, Index j) {
 }
 
 void check_trustworthiness(const Points& points, const Points& map, Index neighbours) {
-  if (map.rows() != points.rows()) throw std::logic_error("a map has a row for each point");
+  if (map.rows() != points.rows()) throw std::logic_error("a map needs one row for each point");
   if (neighbours < 1 || 2 * neighbours >= points.rows()) {
-    throw std::logic_error("trustworthiness needs at least one neighbour, and less than N / 2");
+    throw std::logic_error("trustworthiness needs at least one neighbour and fewer than N / 2");
   }
   if (!points.allFinite() || !map.allFinite()) {
     throw std::logic_error("trustworthiness needs finite coordinates");

@@ -21,15 +21,15 @@ namespace {
 void check_tsne(const Points& points, const TsneOptions& options) {
   const auto others = static_cast<double>(points.rows() - 1);
   if (!(options.perplexity >= 1 && 3 * options.perplexity < others)) {
-    throw std::logic_error("t-SNE needs a perplexity of at least 1, and below (N - 1) / 3");
+    throw std::logic_error("t-SNE needs a perplexity from 1 to below (N - 1) / 3");
   }
   if (points.cols() == 0) throw std::logic_error("t-SNE needs points with coordinates");
   if (!(options.exaggeration > 0)) throw std::logic_error("t-SNE needs a positive exaggeration");
   for (Index i = 0; i < points.rows(); ++i) {
     if (!points.row(i).allFinite()) {
       throw Error(Exit::bad_input, "t-SNE: point " + std::to_string(i) +
-                                       " has a coordinate that is not a finite number; leave it "
-                                       "out, or look for the reason");
+                                       " has a coordinate that is not finite; remove the point, "
+                                       "or find the cause");
     }
   }
 }

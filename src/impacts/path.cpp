@@ -14,10 +14,10 @@ using Eigen::Index;
 void add_to(cli::StoredOptions& table, EqualiserOptions& o) {
   table.in("/equaliser");
   table.add("equaliser-db", o.spread_db, ranges::spread_db,
-            "of the random transfer path: standard deviation of its gain at a knot, dB",
+            "standard deviation of the gain at a knot of the random transfer path, dB",
             "spread_db");
   table.add("equaliser-knots", o.knots, ranges::knots,
-            "of the random transfer path: knots from 0 Hz to half the sampling rate", "knots");
+            "knots of the random transfer path from 0 Hz to half the sample rate", "knots");
 }
 
 ArrayXd along_knots(std::span<const double> knots, Index bins) {

@@ -71,7 +71,7 @@ ArrayXcd minimum_phase(const ArrayXd& log_amplitude) {
 
 void filter(std::span<double> window, std::span<const std::complex<double>> gains) {
   if (gains.size() != window.size() / 2 + 1) {
-    throw std::logic_error("filter: one gain for each bin of the spectrum");
+    throw std::logic_error("filter: the spectrum needs one gain for each bin");
   }
   std::vector<double> samples(window.begin(), window.end());
   std::vector<std::complex<double>> spectrum(gains.size());

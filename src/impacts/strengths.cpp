@@ -17,9 +17,9 @@ void add_to(cli::StoredOptions& table, LoadOptions& o, const std::array<const ch
   table.add("load-zone-to", o.largest_extent, ranges::extent,
             "largest extent of the load zone: more than 0.5 with preload", stored[1]);
   table.add("rotating-load", o.rotating, ranges::part,
-            "load that turns with the shaft / load that stays: largest part", stored[2]);
+            "largest load that turns with the shaft / load that stays", stored[2]);
   table.add("strength-scatter", o.scatter, ranges::scatter,
-            "of the logarithm of a strike's strength: largest standard deviation", stored[3]);
+            "largest standard deviation of the logarithm of an impact's strength", stored[3]);
 }
 
 double Load::at(double time_s) const {

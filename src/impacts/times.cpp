@@ -25,8 +25,8 @@ void require_rate(const signal::DatasetInfo& info, Label label, double rpm) {
   if (hz * least_samples <= info.sample_rate_hz) return;
   throw Error(
       Exit::bad_input,
-      fmt::format("class {} is struck {:g} times a second at {:g} rpm, which windows at {:g} "
-                  "Hz do not show: they need a higher sampling rate",
+      fmt::format("class {} has {:g} impacts per second at {:g} rpm, too many for a sample rate "
+                  "of {:g} Hz; use recordings with a higher sample rate",
                   c.name, hz, rpm, info.sample_rate_hz));
 }
 

@@ -37,7 +37,7 @@ DenseChain<T>::DenseChain(std::shared_ptr<Parameters<T>> parameters, const std::
 
 template <class T>
 void DenseChain<T>::require_room_for(std::int64_t rows) const {
-  if (rows > most_rows_) throw std::logic_error("a dense chain has no room for so many rows");
+  if (rows > most_rows_) throw std::logic_error("too many rows for a dense chain");
 }
 
 template <class T>

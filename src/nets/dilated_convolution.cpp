@@ -27,7 +27,7 @@ DilatedConvolution<T>::DilatedConvolution(GradientArray<T>& parameters, const st
   const std::int64_t inputs = this->input().width;
   const std::int64_t outputs = this->output().width;
   if (inputs != whole_rows(inputs) || outputs != whole_rows(outputs)) {
-    throw std::logic_error("the channels of " + name + " are no whole rows");
+    throw std::logic_error("the channels of " + name + " do not fill whole rows");
   }
   read_gradient_.resize(length * row_of_taps());
 }

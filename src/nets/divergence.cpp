@@ -9,8 +9,7 @@
 namespace piae::nets {
 
 void throw_diverged(const std::string& what, std::size_t epoch, const LearningRate& rate) {
-  throw Error(Exit::failed, fmt::format("{} diverged in epoch {} with {} {:g}; a smaller one would "
-                                        "work",
+  throw Error(Exit::failed, fmt::format("{} diverged in epoch {} with {} {:g}; use a smaller value",
                                         what, epoch, rate.option, rate.value));
 }
 

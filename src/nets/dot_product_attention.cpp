@@ -31,7 +31,7 @@ DotProductAttention<T>::DotProductAttention(const SequenceShape& output, std::in
       factor_(1 / std::sqrt(static_cast<T>(head_))),
       by_attention_(output.length, output.length) {
   if (head_ * heads != output.width) {
-    throw std::logic_error("the heads of an attention do not share its width evenly");
+    throw std::logic_error("the number of attention heads does not divide the width");
   }
 }
 

@@ -14,7 +14,7 @@ GradientArray<T>::GradientArray(std::shared_ptr<Parameters<T>> parameters, std::
     if (!parameter.spec.name.starts_with(network_ + "/")) continue;
     if (size == 0) begin_ = parameter.begin;
     if (parameter.begin != begin_ + size) {
-      throw std::logic_error("parameters " + network_ + "/... do not stand next to each other");
+      throw std::logic_error("parameters " + network_ + "/... are not contiguous");
     }
     size += parameter.rows * parameter.held_columns;
   }

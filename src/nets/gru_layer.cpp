@@ -30,9 +30,9 @@ GruLayer<T>::GruLayer(GradientArray<T>& parameters, const std::string& name,
       input_bias_(parameters.find(name + "/input_bias")),
       state_bias_(parameters.find(name + "/state_bias")) {
   if (units() % row_granule != 0)
-    throw std::logic_error("the units of " + name + " are no whole row");
+    throw std::logic_error("the units of " + name + " do not fill whole rows");
   if (input_length != 1 && input_length != length) {
-    throw std::logic_error(name + " is given neither one input nor one for each position");
+    throw std::logic_error(name + " needs one input, or one for each position");
   }
 }
 

@@ -19,7 +19,7 @@ LayerNormalisation<T>::LayerNormalisation(GradientArray<T>& parameters, const st
       scale_(parameters.find(name + "/scale")),
       shift_(parameters.find(name + "/shift")) {
   if (scale_.columns != scale_.held_columns) {
-    throw std::logic_error("the width of " + name + " is no whole row");
+    throw std::logic_error("the width of " + name + " does not fill whole rows");
   }
 }
 

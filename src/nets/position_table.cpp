@@ -17,7 +17,7 @@ PositionTable<T>::PositionTable(GradientArray<T>& parameters, const std::string&
           {.length = parameters.find(name).rows, .width = parameters.find(name).columns}),
       table_(parameters.find(name)) {
   if (table_.columns != table_.held_columns) {
-    throw std::logic_error("the width of " + name + " is no whole row");
+    throw std::logic_error("the width of " + name + " does not fill whole rows");
   }
 }
 

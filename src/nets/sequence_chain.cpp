@@ -11,10 +11,10 @@ namespace {
 template <class T>
 std::pair<SequenceShape, SequenceShape> ends_of(
     const std::vector<std::unique_ptr<SequenceLayer<T>>>& layers) {
-  if (layers.empty()) throw std::logic_error("a chain has no layer");
+  if (layers.empty()) throw std::logic_error("a chain needs at least one layer");
   for (std::size_t i = 1; i < layers.size(); ++i) {
     if (layers[i - 1]->output().size() != layers[i]->input().size()) {
-      throw std::logic_error("two neighbours in a chain of layers do not fit");
+      throw std::logic_error("two successive layers of a chain differ in size");
     }
   }
   return {layers.front()->input(), layers.back()->output()};

@@ -18,7 +18,7 @@ SequenceNetwork<T>::SequenceNetwork(std::unique_ptr<GradientArray<T>> parameters
 
 template <class T>
 void SequenceNetwork<T>::require_room_for(std::int64_t rows) const {
-  if (rows > most_rows_) throw std::logic_error("a network has no room for so many rows");
+  if (rows > most_rows_) throw std::logic_error("too many rows for a network");
 }
 
 template <class T>

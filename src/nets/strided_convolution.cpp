@@ -20,7 +20,7 @@ std::pair<SequenceShape, SequenceShape> sides_of(GradientArray<T>& parameters,
   const std::int64_t stride = weight.shape.size() == 3 ? weight.shape[2] / 2 : 0;
   if (stride < 2 || stride % 2 != 0 || weight.shape[2] != 2 * stride ||
       weight.shape[0] % row_granule != 0) {
-    throw std::logic_error(weight.name + " is not that of a strided convolution");
+    throw std::logic_error(weight.name + " is not the weight of a strided convolution");
   }
   if (kind == ConvolutionKind::transposed) {
     return {{.length = input_length, .width = weight.shape[0]},

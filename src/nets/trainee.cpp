@@ -40,8 +40,9 @@ void save(const Trainee& trainee, const Checkpoint& checkpoint, std::size_t epoc
 std::size_t epochs_saved(const artefact::Reader& reader, const Trainee& trainee,
                          const Checkpoint& checkpoint) {
   if (reader.text("/", "identity") != identity_of(checkpoint.provenance)) {
-    spdlog::warn("{}: is of other inputs, options or another build; training starts anew",
-                 checkpoint.path.string());
+    spdlog::warn(
+        "{}: comes from other inputs, options or another build; training starts again at epoch 1",
+        checkpoint.path.string());
     return 0;
   }
   const Range epochs{.low = 0, .high = static_cast<double>(trainee.epochs())};
@@ -53,7 +54,7 @@ std::optional<artefact::Reader> open_checkpoint(const Checkpoint& checkpoint) {
   try {
     return artefact::Reader(checkpoint.path, checkpoint_kind);
   } catch (const artefact::Refusal& refusal) {
-    spdlog::warn("{}; training starts anew", one_line(refusal.what()));
+    spdlog::warn("{}; training starts again at epoch 1", one_line(refusal.what()));
     return std::nullopt;
   }
 }
@@ -99,7 +100,7 @@ void run_epochs(Trainee& trainee, const Checkpoint& checkpoint) {
     if (checkpoint.interrupted()) {
       save(trainee, checkpoint, epoch + 1);
       throw Error(Exit::interrupted, "interrupted after epoch " + std::to_string(epoch + 1) +
-                                         "; the same command goes on from " +
+                                         "; run the same command again to continue from " +
                                          checkpoint.path.string());
     }
     if (std::chrono::duration<double>(Clock::now() - saved).count() >= checkpoint.interval_s) {

@@ -11,7 +11,8 @@ double impact_frequency_hz(const signal::DatasetInfo& info, Label label) {
   const signal::ClassInfo& c = info.classes.at(index_of(label));
   if (c.defect == signal::Defect::none) {
     throw Error(Exit::bad_input,
-                info.name + ": class " + c.name + " has no defect, and so no fault frequency");
+                info.name + ": class " + c.name +
+                    " does not have a defect, so it does not have a fault frequency");
   }
   return bearing::impact_frequency_hz(info.bearing, c.defect, info.known_speed_rpm());
 }
@@ -20,10 +21,11 @@ signal::Cycle cycle_of_class(const signal::DatasetInfo& info, Label label, std::
   const double period = info.sample_rate_hz / impact_frequency_hz(info, label);
   const std::optional<signal::Cycle> cycle = signal::cycle_of(period, length);
   if (!cycle) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: windows of {} samples do not hold one strike of class {}, every "
-                            "{:.1f} samples; longer windows would",
-                            info.name, length, info.classes.at(index_of(label)).name, period));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("{}: windows of {} samples are too short for one impact of class {} every "
+                    "{:.1f} samples; use longer windows (split --window)",
+                    info.name, length, info.classes.at(index_of(label)).name, period));
   }
   return *cycle;
 }

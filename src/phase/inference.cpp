@@ -61,17 +61,17 @@ Inference::Inference(std::int64_t classes, int width, int batch, const Stream& s
 
 nets::RowArray<float> Inference::features_of(const signal::WindowSet& windows) {
   if (windows.length <= feature_lags) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: windows of {} samples are too short to infer (k, c); {} or more "
-                            "would do",
-                            windows.info.name, windows.length, feature_lags + 1));
+    throw Error(
+        Exit::bad_input,
+        fmt::format("{}: windows of {} samples are too short to infer (k, c); use {} or more",
+                    windows.info.name, windows.length, feature_lags + 1));
   }
   nets::RowArray<float> all(static_cast<std::int64_t>(windows.size()), lags);
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const std::vector<float> features = autocorrelation(windows.window(i));
     if (!std::isfinite(features.front())) {
-      throw Error(Exit::bad_input, fmt::format("{}: window {} is constant: (k, c) of silence "
-                                               "cannot be inferred",
+      throw Error(Exit::bad_input, fmt::format("{}: window {} is constant, so (k, c) cannot be "
+                                               "inferred; cut dead stretches out of the recordings",
                                                windows.info.name, i));
     }
     std::ranges::copy(features, all.row(static_cast<std::int64_t>(i)).data());

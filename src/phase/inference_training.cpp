@@ -85,8 +85,8 @@ InferenceTraining::InferenceTraining(const signal::WindowSet& known,
   const Bounds bounds = first_bounds();
   if (bounds.low.k >= bounds.high.k || bounds.low.c >= bounds.high.c) {
     throw Error(Exit::usage,
-                "inference: nothing lies between the bounds; "
-                "--stiffness-from-n-per-m must be below load / clearance, "
+                "inference: the range to search is empty; "
+                "give --stiffness-from-n-per-m below load / clearance and "
                 "--damping-from-ns-per-m below --damping-to-ns-per-m");
   }
 }

@@ -29,9 +29,11 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
                                              const signal::WindowSet& windows) {
   const std::size_t classes = signal::read_dataset_info(model).classes.size();
   if (windows.info.classes.size() != classes) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: learned {} classes, and (k, c) is to be inferred of {}",
-                            model.path().string(), classes, windows.info.classes.size()));
+    throw Error(
+        Exit::bad_input,
+        fmt::format(
+            "{}: was trained on {} classes, but the windows have {}; give windows of its dataset",
+            model.path().string(), classes, windows.info.classes.size()));
   }
   const std::unique_ptr<Inference> inference = read_inference(model);
   std::vector<signal::DynamicParameters> inferred;

@@ -24,7 +24,7 @@ std::string heading(const Measurements& reference, const Measurements& run, Tole
   text += fmt::format("  run        {}; {}\n", joined(run.versions), joined(run.settings));
   text += tolerance == Tolerance::exact
               ? "  tolerance  exact: every seed must give the same number\n"
-              : "  tolerance  spread: means may differ by the standard errors that are allowed\n";
+              : "  tolerance  spread: means may differ by the allowed standard errors\n";
   return text;
 }
 

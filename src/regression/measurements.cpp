@@ -34,9 +34,9 @@ void read_comments(const fs::path& path, Measurements& measurements) {
     }
   }
   if (measurements.versions.empty() || measurements.settings.empty()) {
-    throw Error(Exit::bad_input,
-                path.string() + ": does not say what it was made with; the lines '" + version_mark +
-                    "...' and '" + settings_mark + "...' are missing at its top");
+    throw Error(Exit::bad_input, path.string() + ": lacks the first lines '" + version_mark +
+                                     "...' and '" + settings_mark +
+                                     "...'; store it again with `make reference`");
   }
 }
 
@@ -98,8 +98,8 @@ Measurements read_reference(const fs::path& folder, signal::Protocol protocol,
   const fs::path path = reference_file(folder, protocol, dataset);
   if (!fs::exists(path)) {
     throw Error(Exit::input_missing, path.string() + ": there is no reference for " + dataset +
-                                         " (`make reference RUN=...` makes one from a run that is "
-                                         "known to be good)");
+                                         "; store one from a good run with `make reference "
+                                         "RUN=...`");
   }
   const std::vector<text::CsvLine> lines = text::read_csv(path);
   if (lines.front().fields != columns) lines.front().refuse("is not the header of a reference");
@@ -109,7 +109,7 @@ Measurements read_reference(const fs::path& folder, signal::Protocol protocol,
   for (const text::CsvLine& line : std::span(lines).subspan(1)) {
     const Measured& each = measurements.values.emplace_back(measured(line));
     if (!seen.emplace(each.method, each.classifier, each.ratio, each.quantity, each.seed).second) {
-      line.refuse("is there twice");
+      line.refuse("repeats an earlier line");
     }
   }
   return measurements;

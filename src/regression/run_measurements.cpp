@@ -52,7 +52,7 @@ void note_origin(const artefact::Reader& reader, signal::Protocol protocol, Data
   if (!of_run.protocol) of_run.protocol = protocol;
   if (*of_run.protocol != protocol) {
     throw Error(Exit::bad_input, reader.path().string() + ": the split protocol is " +
-                                     to_string(protocol) + ", other cells of the run have " +
+                                     to_string(protocol) + ", but other cells of the run have " +
                                      to_string(*of_run.protocol));
   }
   Measurements& measurements = of_run.measurements;
@@ -159,8 +159,8 @@ std::vector<Measurements> read_run(const fs::path& run, const run::Selection& se
   if (datasets.empty()) {
     throw Error(Exit::input_missing,
                 run.string() +
-                    ": holds no diagnosis or score of those asked for (`make all` with "
-                    "the same variables makes them)");
+                    ": has none of the requested diagnoses and scores; run `make all` "
+                    "with the same variables");
   }
   return datasets;
 }

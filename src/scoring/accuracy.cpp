@@ -21,14 +21,15 @@ void add(Confusion& sum, const Confusion& confusion) {
     sum = confusion;
     return;
   }
-  if (sum.classes != confusion.classes) throw std::logic_error("confusions of other classes");
+  if (sum.classes != confusion.classes)
+    throw std::logic_error("confusion matrices of different classes");
   for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += confusion.counts[i];
 }
 
 Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label> predictions,
                            std::size_t classes) {
   if (labels.size() != predictions.size()) {
-    throw std::logic_error("as many predictions as labels are needed");
+    throw std::logic_error("labels and predictions differ in number");
   }
   Confusion confusion{classes, std::vector<std::int64_t>(classes * classes, 0)};
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -41,7 +42,7 @@ Confusion confusion_matrix(std::span<const Label> labels, std::span<const Label>
 double accuracy(const Confusion& confusion) {
   const std::int64_t all =
       std::accumulate(confusion.counts.begin(), confusion.counts.end(), std::int64_t{0});
-  if (all == 0) throw std::logic_error("no window to be accurate about");
+  if (all == 0) throw std::logic_error("accuracy needs at least one window");
   std::int64_t right = 0;
   for (std::size_t i = 0; i < confusion.classes; ++i) right += confusion.at(i, i);
   return static_cast<double>(right) / static_cast<double>(all);
@@ -58,7 +59,7 @@ double balanced_accuracy(const Confusion& confusion) {
     ++tested;
     sum += static_cast<double>(row[truth]) / static_cast<double>(all);
   }
-  if (tested == 0) throw std::logic_error("no window to be accurate about");
+  if (tested == 0) throw std::logic_error("accuracy needs at least one window");
   return sum / static_cast<double>(tested);
 }
 

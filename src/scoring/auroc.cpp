@@ -8,7 +8,7 @@ namespace piae::scoring {
 
 double auroc(std::span<const double> negative, std::span<const double> positive) {
   if (negative.empty() || positive.empty()) {
-    throw std::logic_error("an operating characteristic needs values of both kinds");
+    throw std::logic_error("an operating characteristic needs positive and negative values");
   }
   std::vector<double> sorted(negative.begin(), negative.end());
   std::ranges::sort(sorted);

@@ -36,7 +36,7 @@ double expected_calibration_error(std::span<const ScoreBin> bins) {
     weighted += static_cast<double>(bin.count) * std::abs(bin.accuracy - bin.mean_score);
     count += static_cast<double>(bin.count);
   }
-  if (count == 0) throw std::logic_error("the calibration of no prediction");
+  if (count == 0) throw std::logic_error("calibration needs at least one prediction");
   return weighted / count;
 }
 

@@ -39,9 +39,9 @@ std::vector<std::vector<std::size_t>> consecutive_groups(std::span<const Label> 
                                                          const Places& places,
                                                          std::size_t windows) {
   if (places.record.size() != labels.size() || places.first_sample.size() != labels.size()) {
-    throw std::logic_error("as many places as labels are needed");
+    throw std::logic_error("labels and places differ in number");
   }
-  if (windows == 0) throw std::logic_error("a decision over no window");
+  if (windows == 0) throw std::logic_error("a decision needs at least one window");
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), 0);
   const auto source_of = [&](std::size_t i) { return std::tuple(labels[i], places.record[i]); };

@@ -27,8 +27,8 @@ std::vector<Label> read_labels(const artefact::Reader& reader, const std::string
   if (labels.empty()) reader.refuse(path, "is empty");
   for (const Label label : labels) {
     if (label < 0 || index_of(label) >= classes) {
-      reader.refuse(path, "holds class " + std::to_string(label) + ", the dataset has " +
-                              std::to_string(classes));
+      reader.refuse(path, "holds class " + std::to_string(label) +
+                              ", but the dataset has classes 0 to " + std::to_string(classes - 1));
     }
   }
   return labels;

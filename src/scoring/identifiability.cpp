@@ -34,7 +34,7 @@ double quantile(const std::vector<double>& values, double share) {
 
 Agreement agreement(std::span<const double> truth, std::span<const double> inferred) {
   const double of_truth = co_deviation(truth, truth);
-  if (!(of_truth > 0)) throw std::logic_error("agreement with a truth that does not vary");
+  if (!(of_truth > 0)) throw std::logic_error("agreement needs true values that vary");
   double squares = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) squares += std::pow(inferred[i] - truth[i], 2);
   const double of_inferred = co_deviation(inferred, inferred);

@@ -56,7 +56,7 @@ double sum_of_kernels(const Windows& x, const Windows& y, double bandwidth) {
 }  // namespace
 
 double mean_squared_distance(const Windows& windows) {
-  if (windows.rows() < 2) throw std::logic_error("one window has no distance to another");
+  if (windows.rows() < 2) throw std::logic_error("a distance needs two windows or more");
   const auto n = static_cast<double>(windows.rows());
   return sum_over_pairs(windows, windows, [](const auto& distances) { return distances.sum(); }) /
          (n * (n - 1));
@@ -64,7 +64,7 @@ double mean_squared_distance(const Windows& windows) {
 
 double mmd_squared(const Windows& x, const Windows& y, double squared_distance) {
   if (x.rows() != y.rows() || x.cols() != y.cols() || x.rows() == 0) {
-    throw std::logic_error("MMD compares equally many windows of equal length");
+    throw std::logic_error("MMD needs equal numbers of windows of equal length");
   }
   if (!(squared_distance > 0)) throw std::logic_error("MMD needs a positive squared distance");
   const double bandwidth = squared_distance / 4;

@@ -58,7 +58,7 @@ SignedRanks signed_ranks(std::span<const double> differences) {
 }
 
 PairedDifference paired_difference(std::span<const double> a, std::span<const double> b) {
-  if (a.size() != b.size()) throw std::logic_error("values without a partner");
+  if (a.size() != b.size()) throw std::logic_error("paired values differ in number");
   std::vector<double> differences;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double size = std::max(std::abs(a[i]), std::abs(b[i]));

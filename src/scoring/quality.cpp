@@ -18,31 +18,30 @@ namespace {
 
 constexpr std::array<Metric, 7> metrics{{
     {"mmd", &ClassQuality::mmd, "MMD²",
-     "Squared maximum mean discrepancy, biased estimate; less is better. It hardly sees structure: "
-     "noise of the right power scores better than a few real windows repeated.",
+     "Squared maximum mean discrepancy, biased estimate; lower is better. It is almost blind to "
+     "structure: noise of the right power scores better than a few repeated real windows.",
      true},
     {"rmse", &ClassQuality::rmse, "RMSE",
-     "In the unit of the recordings; less is better, but windows start at any angle of the shaft, "
-     "so that silence scores better than real windows do.",
+     "In the unit of the recordings; lower is better. Windows start at any angle of the shaft, so "
+     "silence scores better than real windows do.",
      true},
     {"aligned_rmse", &ClassQuality::aligned_rmse, "aligned RMSE",
-     "RMSE after the circular shift that fits best, in the unit of the recordings; less is better.",
-     false},
+     "RMSE after the best circular shift, in the unit of the recordings; lower is better.", false},
     {"amplitude_ratio", &ClassQuality::amplitude_ratio, "amplitude ratio",
-     "RMS of the generated windows to that of the real ones; 1 is right, 0 is silence.", false},
+     "RMS of the generated windows / RMS of the real ones; 1 is right, 0 is silence.", false},
     {"spectral_distance_db", &ClassQuality::spectral_distance_db, "log-spectral distance, dB",
-     "Between the mean power spectra; less is better.", false},
+     "Between the mean power spectra; lower is better.", false},
     {"fault_line_db", &ClassQuality::fault_line_db, "fault line, dB",
-     "How far the lines of the class's own fault (BPFO, BPFI or 2 BSF, and two harmonics) stand "
-     "out of the envelope spectrum of the generated windows; 0 is not at all. Right is what real "
-     "windows show: the next section.",
+     "Excess of the class's own fault lines (BPFO, BPFI or 2 BSF, and two harmonics) in the "
+     "envelope spectrum of the generated windows; 0: no line. The target is the value of real "
+     "windows: see the next section.",
      false, 1, true},
     {"fault_line_difference_db", &ClassQuality::fault_line_difference_db,
      "fault line, generated minus real, dB",
-     "0 is right; below it the fault is fainter than in real windows, above it clearer. 45 other "
-     "real windows of a class mostly come within 1 dB. Where real windows show no line themselves "
-     "(below 2 dB; many ball faults), 0 says only that none was invented. Signs cancel in the "
-     "mean.",
+     "0 is right; below 0 the fault is fainter than in real windows, above 0 clearer. For 45 other "
+     "real windows of a class the difference is mostly below 1 dB. If real windows do not show a "
+     "line (below 2 dB; many ball faults), 0 means only that the method invented none. Opposite "
+     "signs cancel in the mean.",
      false, 1, true},
 }};
 
@@ -58,21 +57,23 @@ void require_comparable(const signal::WindowSet& generated, const signal::Window
   };
   if (generated.info.name != real.info.name ||
       !std::ranges::equal(generated.info.classes, real.info.classes, same_name)) {
-    refuse("the generated windows are of dataset " + generated.info.name +
-           ", the real ones of dataset " + real.info.name +
-           " or of other classes; score windows of one dataset");
+    refuse("the generated windows belong to dataset " + generated.info.name +
+           ", the real ones to dataset " + real.info.name +
+           " or to other classes; score windows of one dataset");
   }
   if (generated.length != real.length) {
     refuse("generated windows have " + std::to_string(generated.length) + " samples, real ones " +
            std::to_string(real.length) + "; generate from a model trained on the same split");
   }
-  if (real.size() == 0) refuse("there are no real windows to compare with");
+  if (real.size() == 0) refuse("there are no real windows to compare with; give D.h5 of split");
 }
 
 /// Throws if the real windows of a class do not allow a comparison.
 void require_reference(const std::string& name, const Windows& real, double squared_distance) {
   const Eigen::VectorXd means = real.rowwise().mean();
-  if ((real.colwise() - means).isZero(0)) refuse("class " + name + ": the real windows are silent");
+  if ((real.colwise() - means).isZero(0))
+    refuse("class " + name +
+           ": the real windows are constant; cut dead stretches out of the recording");
   const double mean_square = real.squaredNorm() / static_cast<double>(real.rows());
   if (squared_distance <= rounding * mean_square) {
     refuse("class " + name + ": all real windows are the same");
@@ -111,10 +112,11 @@ ClassQuality quality_of(const signal::WindowSet& generated, const signal::Window
   if (count == 0) {
     refuse("class " + name + " has " + std::to_string(generated.count_of(label)) +
            " generated and " + std::to_string(real.count_of(label)) +
-           " real windows; both need at least one");
+           " real windows; give at least one of each");
   }
   const Windows reference = windows_of(real, label, real.count_of(label));
-  if (reference.rows() < 2) refuse("class " + name + ": one real window is no reference; two are");
+  if (reference.rows() < 2)
+    refuse("class " + name + ": there is only one real window; give two or more");
   const double squared_distance = mean_squared_distance(reference);
   const Windows x = windows_of(generated, label, count);
   const Windows y = reference.topRows(static_cast<Eigen::Index>(count));

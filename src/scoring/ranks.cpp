@@ -69,14 +69,15 @@ std::vector<double> ranks(std::span<const double> values) {
 }
 
 AverageRanks average_ranks(const std::vector<std::vector<double>>& blocks) {
-  if (blocks.empty() || blocks.front().empty()) throw std::logic_error("nothing to rank");
+  if (blocks.empty() || blocks.front().empty())
+    throw std::logic_error("ranks need at least one value");
   const std::size_t methods = blocks.front().size();
   const auto n = static_cast<double>(blocks.size());
   AverageRanks result;
   result.blocks = blocks.size();
   result.average.assign(methods, 0);
   for (const std::vector<double>& block : blocks) {
-    if (block.size() != methods) throw std::logic_error("blocks of different lengths");
+    if (block.size() != methods) throw std::logic_error("blocks differ in length");
     const std::vector<double> own = ranks_of_the_best_first(block);
     for (std::size_t i = 0; i < methods; ++i) result.average[i] += own[i] / n;
   }

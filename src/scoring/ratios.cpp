@@ -33,7 +33,7 @@ const Ratio& find_ratio(const std::string& name) {
   const auto found = std::ranges::find(table_5, name, &Ratio::name);
   if (found != std::end(table_5)) return *found;
   throw Error(Exit::usage,
-              "unknown ratio '" + name + "'; known are " + comma_list(table_5, &Ratio::name));
+              "unknown ratio '" + name + "'; known: " + comma_list(table_5, &Ratio::name));
 }
 
 std::optional<double> true_ratio(std::int64_t normal_windows, std::int64_t known_per_class,

@@ -16,7 +16,7 @@ struct Answered {
 
 /// Returns the counts for each score that any window has, from the largest on.
 std::vector<Answered> by_threshold(std::span<const Judgement> judgements) {
-  if (judgements.empty()) throw std::logic_error("the refusals of no prediction");
+  if (judgements.empty()) throw std::logic_error("refusals need at least one prediction");
   std::vector<Judgement> sorted(judgements.begin(), judgements.end());
   std::ranges::sort(sorted, std::greater(), &Judgement::score);
   std::vector<Answered> thresholds;
@@ -41,7 +41,7 @@ double answerable_share(std::span<const Judgement> judgements, std::size_t preci
 }
 
 std::vector<double> precision_by_share(std::span<const Judgement> judgements, std::size_t steps) {
-  if (steps == 0) throw std::logic_error("a share of the predictions in no step");
+  if (steps == 0) throw std::logic_error("precisions by share need at least one step");
   const std::vector<Answered> thresholds = by_threshold(judgements);
   std::vector<double> precisions;
   precisions.reserve(steps);

@@ -23,7 +23,7 @@ double sample_deviation(std::span<const double> values, double mean) {
 }  // namespace
 
 Summary summarise(std::span<const double> values) {
-  if (values.empty()) throw std::logic_error("no value to summarise");
+  if (values.empty()) throw std::logic_error("a summary needs at least one value");
   const auto n = static_cast<double>(values.size());
   Summary summary;
   summary.count = values.size();

@@ -46,7 +46,7 @@ std::vector<float> tempered(std::span<const float> logits, std::size_t classes,
 
 double best_temperature(std::span<const float> logits, std::span<const Label> labels,
                         std::size_t classes) {
-  if (labels.empty()) throw std::logic_error("a temperature needs labels to be fitted to");
+  if (labels.empty()) throw std::logic_error("fitting a temperature needs labels");
   std::vector<double> counts(classes);
   for (const Label label : labels) ++counts[index_of(label)];
   const double rest = 1 / (static_cast<double>(labels.size()) + 2);

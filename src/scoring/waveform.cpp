@@ -20,7 +20,7 @@ constexpr double floor_to_mean = 1e-10;  // floor of powers, as a part of the re
 
 void require_pairs(const Windows& generated, const Windows& real) {
   if (generated.rows() != real.rows() || generated.cols() != real.cols() || real.size() == 0) {
-    throw std::logic_error("windows are compared in pairs of equal length");
+    throw std::logic_error("waveforms need pairs of windows of equal length");
   }
 }
 
@@ -78,7 +78,7 @@ double amplitude_ratio(const Windows& generated, const Windows& real) {
 
 double spectral_distance_db(const Windows& generated, const Windows& real) {
   if (generated.cols() != real.cols() || real.cols() < 2) {
-    throw std::logic_error("spectra are compared of windows of equal length, 2 or more");
+    throw std::logic_error("spectra need windows of one length, 2 samples or more");
   }
   const Index bins = real.cols() / 2;  // without the first: the mean is removed
   const Eigen::ArrayXd reference = spectra::mean_power_spectrum(real).tail(bins);

@@ -79,7 +79,7 @@ Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window) {
   if (std::ranges::adjacent_find(edges) != edges.end()) {
     throw Error(Exit::bad_input,
                 fmt::format("windows of {} samples are too short for a spectrum in {} bands; "
-                            "100 samples or more would do",
+                            "use 100 samples or more",
                             window.size(), spectral_shape_bands));
   }
   const Eigen::ArrayXd power = mean_power_spectrum(window);

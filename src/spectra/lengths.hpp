@@ -9,7 +9,7 @@ namespace piae::spectra {
 /// instead of `expected`.
 inline std::ptrdiff_t length_of(std::size_t samples, std::size_t bins, std::size_t expected) {
   if (samples < 2 || bins != expected)
-    throw std::logic_error("fft: samples and bins do not belong together");
+    throw std::logic_error("fft: the number of bins does not fit the number of samples");
   return static_cast<std::ptrdiff_t>(samples);
 }
 

@@ -66,7 +66,7 @@ double free_harmonic_db(const EnvelopeSpectrum& spectrum, int number, double lin
 }  // namespace
 
 EnvelopeSpectrum envelope_spectrum(const Windows& windows, double rate_hz) {
-  if (windows.size() == 0) throw std::logic_error("no windows have no envelope spectrum");
+  if (windows.size() == 0) throw std::logic_error("an envelope spectrum needs at least one window");
   const auto length = static_cast<double>(windows.cols());
   const double mean_square = windows.squaredNorm() / static_cast<double>(windows.size());
   const Eigen::ArrayXd power = mean_power_spectrum(envelopes(windows), padding);

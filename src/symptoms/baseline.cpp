@@ -65,8 +65,7 @@ Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measure
   const Label healthy = windows.info.healthy_label();
   if (windows.count_of(healthy) < fewest_healthy) {
     throw Error(Exit::bad_input,
-                fmt::format("{} healthy windows are too few to compare others with; {} or more "
-                            "would do",
+                fmt::format("{} healthy windows are too few for a baseline; use {} or more",
                             windows.count_of(healthy), fewest_healthy));
   }
   for (const std::size_t i : signal::in_time_order(windows)) {
@@ -127,7 +126,7 @@ Baselines Baselines::read(const artefact::Reader& reader, const std::string& gro
   const std::size_t n = read.speeds_rpm_.size();
   if (n < fewest_healthy) {
     reader.refuse(group + "/speed_rpm",
-                  fmt::format("has {} healthy windows, needs {} or more", n, fewest_healthy));
+                  fmt::format("has {} healthy windows, but needs {} or more", n, fewest_healthy));
   }
   const auto lines = reader.numbers<double>(group + "/lines", {n, number_of_fault_types}).values;
   const auto shapes =

@@ -45,8 +45,8 @@ double smallest_gap(Orders orders) {
 void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, const Orders& orders,
                          const std::string& what) {
   if (!(speed_rpm > 0)) {
-    refuse(what, fmt::format("the speed of the shaft is {} rpm; fault lines need one above 0",
-                             speed_rpm));
+    refuse(what,
+           fmt::format("the shaft speed is {} rpm; fault lines need a speed above 0", speed_rpm));
   }
   const double rate_hz = windows.info.sample_rate_hz;
   const double shaft_hz = speed_rpm / 60;
@@ -54,18 +54,19 @@ void require_lines_shown(const signal::WindowSet& windows, double speed_rpm, con
   if (last_hz > rate_hz / 2) {
     refuse(what,
            fmt::format("at {:g} rpm fault lines reach {:.0f} Hz, above half the sample rate of "
-                       "{:g} Hz; a higher rate or a lower speed would do",
+                       "{:g} Hz; use a higher sample rate or a lower speed",
                        speed_rpm, last_hz, rate_hz));
   }
   const double needed =
       std::ceil(bins_apart * rate_hz / (most_harmonics * smallest_gap(orders) * shaft_hz));
   if (needed > longest_window) {
     refuse(what,
-           "the fault lines of two kinds coincide in this bearing, so no window tells them apart");
+           "the fault lines of two fault types coincide in this bearing; choose another "
+           "--classifier, such as wdcnn");
   }
   if (static_cast<double>(windows.length) < needed) {
     refuse(what, fmt::format("windows of {} samples are too short to tell the fault lines apart at "
-                             "{:g} rpm; {:.0f} or more would do",
+                             "{:g} rpm; use {:.0f} or more",
                              windows.length, speed_rpm, needed));
   }
 }
@@ -80,7 +81,8 @@ void require_measurable(const signal::WindowSet& windows, const Orders& orders,
   for (std::size_t i = 0; i < windows.size(); ++i) {
     require_lines_shown(windows, windows.speed_rpm(i), orders, what);
     if (signal::is_constant(windows.window(i))) {
-      refuse(what, fmt::format("window {} is constant and shows nothing", i));
+      refuse(what,
+             fmt::format("window {} is constant; cut dead stretches out of the recordings", i));
     }
   }
 }
@@ -125,8 +127,8 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
     throw Error(
         Exit::bad_input,
         "dataset " + windows.info.name +
-            " does not describe its bearing, by whose kinematics symptoms are measured; give "
-            "its description a [bearing], or choose another classifier, such as wdcnn");
+            " does not describe its bearing, which gives the fault lines; add [bearing] to its "
+            "description, or choose another --classifier, such as wdcnn");
   }
   bearing::validate(windows.info.bearing);
   const Orders orders = line_orders(windows.info.bearing);

@@ -24,14 +24,16 @@ void bind_prior(const cli::Options& command, EdgePrior& o) {
   };
   const cli::Check positive = cli::positive_number();
   add("--edge-share", o.share, positive,
-      "lag between both edges of a defect / time that a ball is over it: where spectra do not say "
-      "otherwise");
-  add("--edge-share-deviation", o.share_deviation, positive, "standard deviation of that");
+      "prior mean of the lag between both edges of a defect / time that a ball is over it");
+  add("--edge-share-deviation", o.share_deviation, positive,
+      "prior standard deviation of --edge-share");
   add("--edge-exit", o.exit, cli::share(),
-      "blow at the second edge / that at the first, in the same sense");
-  add("--edge-exit-deviation", o.exit_deviation, positive, "standard deviation of that");
+      "prior mean of the impact at the second edge / at the first, of the same sign");
+  add("--edge-exit-deviation", o.exit_deviation, positive,
+      "prior standard deviation of --edge-exit");
   add("--edge-prior-weight", o.weight, cli::non_negative_number(),
-      "of a squared standard deviation beside the squared error of the fit / its least");
+      "weight of squared deviations from the prior against the squared error of the fit / its "
+      "least");
 }
 
 }  // namespace
@@ -40,42 +42,45 @@ cli::StoredOptions table_of(CarryOptions& o) {
   cli::StoredOptions table;
   table.in("/carry");
   table.add("response", o.response, response_words,
-            "how the machine answers a blow: as its spectrum says, as eq. 13's ring, or cut from "
-            "known windows");
+            "response of the machine to an impact: from its spectrum (minimum-phase), the ring of "
+            "eq. 13, or cut from known windows");
   table.add("edges", o.edges, set_words,
-            "the lag between both edges of the defect: of the tested condition, or left");
+            "lag between both edges of the defect: of the tested condition, or as known");
   table.add("rhythm", o.rate_of, set_words,
-            "the time between strikes: of the tested condition, or left");
+            "time between impacts: of the tested condition, or as known");
   table.add("own-structure", o.own_structure, ranges::part,
-            "of what tells the structure of a bearing from that of all: the least part kept");
+            "least part kept of a bearing's deviation from the mean structure");
   table.add("background", o.background, ranges::part,
-            "largest part of the power that is not struck");
-  table.add("background-from", o.background_from, background_words,
-            "what colours it: the struck windows, or healthy ones of the tested condition");
+            "largest part of the power that impacts do not excite");
+  table.add(
+      "background-from", o.background_from, background_words,
+      "spectrum of the background: of the windows with impacts (struck), or of healthy windows of "
+      "the tested condition");
   table.add("dispersion-ms", o.dispersion_ms, ranges::dispersion_ms,
-            "of the random transfer path: standard deviation of its group delay at a knot, ms");
-  table.add("strike-jitter", o.jitter, ranges::jitter, "of a strike: standard deviation / period",
-            "jitter");
+            "standard deviation of the group delay at a knot of the random transfer path, ms");
+  table.add("strike-jitter", o.jitter, ranges::jitter,
+            "standard deviation of an impact time / period", "jitter");
   table.add("lag-deviation", o.lag_deviation, ranges::lag_deviation,
-            "of a window's lag: standard deviation / lag");
+            "standard deviation of a window's lag / lag");
   table.add("tilt", o.tilt, ranges::tilt,
-            "at a doubled speed the spectrum grows with a power of the frequency, drawn between 0 "
-            "and this");
+            "largest power of the frequency by which the spectrum grows at a doubled speed; drawn "
+            "from 0 to this");
   table.add("size-factor", o.size_factor, ranges::size_factor,
-            "a defect of unknown size is up to so many times as large or small as those known");
+            "largest factor between the size of an unknown defect and the known sizes");
   table.in("/strengths");
-  table.add("strengths", o.strengths.from, strength_words,
-            "how strong strikes are: as in a known window (of another bearing: as in a load zone), "
-            "as in a load zone, or all alike",
-            "from");
+  table.add(
+      "strengths", o.strengths.from, strength_words,
+      "strengths of impacts: of a known window (for another bearing: of a load zone), of a load "
+      "zone, or all equal (alike)",
+      "from");
   impacts::add_to(table, o.strengths.load,
                   {"least_extent", "largest_extent", "rotating", "scatter"});
   impacts::add_to(table, o.equaliser);
   table.in("/carry");
   table.add("other-bearing-db", o.other_bearing_db, ranges::spread_db,
-            "the same where the tested bearing is not the known one, dB");
+            "--equaliser-db if the tested bearing is not the known one, dB");
   table.add("mass-kg", o.mass_kg, signal::ranges::mass_kg,
-            "M of eq. 13, by which windows have their k and c, kg");
+            "mass M of eq. 13, which converts a resonance to k and c, kg");
   return table;
 }
 
@@ -90,10 +95,9 @@ void require_sense(CarryOptions options, const signal::WindowSet& known,
   if (options.background_from != BackgroundFrom::healthy) return;
   for (const std::int32_t condition : known.info.tested_conditions()) {
     if (find_spectrum(healthy, condition) == nullptr) {
-      throw Error(
-          Exit::usage,
-          "--background-from healthy: needs healthy windows of the tested condition; give "
-          "--healthy B.h5, of a data set whose [transfer] takes healthy windows from there");
+      throw Error(Exit::usage,
+                  "--background-from healthy: needs healthy windows of the tested condition; give "
+                  "--healthy B.h5 of a dataset whose [transfer] includes them");
     }
   }
 }

@@ -24,7 +24,7 @@ std::unique_ptr<Coder> make_coder(CoderKind kind, const NetworkShape& shape,
     case CoderKind::recurrent:
       return std::make_unique<RecurrentCoder>(shape, options);
   }
-  throw std::logic_error("no such coder");
+  throw std::logic_error("unknown coder");
 }
 
 }  // namespace piae::twin

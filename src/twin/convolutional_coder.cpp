@@ -39,8 +39,8 @@ ConvolutionalCoder::ConvolutionalCoder(const NetworkShape& shape, const TwinOpti
   for (std::int64_t i = 0; i < convolutions_; ++i) step *= stride;
   if (shape.samples % step != 0) {
     throw Error(Exit::usage,
-                fmt::format("windows of {} samples do not go through {} convolutions of stride {}; "
-                            "multiples of {} samples do (split --window), or a smaller --depth",
+                fmt::format("windows of {} samples do not fit {} convolutions of stride {}; use "
+                            "multiples of {} samples (split --window) or a smaller --depth",
                             shape.samples, convolutions_, stride, step));
   }
   inner_length_ = shape.samples / step;

@@ -14,9 +14,10 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
   const ModelDescription description = read_model_description(model);
   if (static_cast<std::int64_t>(windows.length) != description.shape.samples ||
       windows.info.classes.size() != description.info.classes.size()) {
-    throw Error(Exit::bad_input, model.path().string() +
-                                     ": learned windows of another length or number of classes "
-                                     "than those to infer (k, c) of");
+    throw Error(Exit::bad_input,
+                model.path().string() +
+                    ": was trained on windows of another length or number of classes "
+                    "than the windows to infer (k, c) from; give windows of its dataset");
   }
   const std::unique_ptr<StoredTwin> networks = engine.open(model, description, variant);
   std::vector<signal::DynamicParameters> inferred;

@@ -13,7 +13,7 @@ Keep read_keep(const artefact::Reader& reader) {
   for (const Keep keep : {Keep::best, Keep::final}) {
     if (word == to_string(keep)) return keep;
   }
-  reader.refuse("keep", "is '" + word + "'; known are best and final");
+  reader.refuse("keep", "is '" + word + "'; known: best, final");
 }
 
 /// Models without this attribute are older than the option and use softplus.
@@ -23,7 +23,7 @@ Positive read_positive(const artefact::Reader& reader) {
   for (const Positive positive : {Positive::softplus, Positive::exponential}) {
     if (word == to_string(positive)) return positive;
   }
-  reader.refuse("positive", "is '" + word + "'; known are softplus and exponential");
+  reader.refuse("positive", "is '" + word + "'; known: softplus, exponential");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::unique_ptr<Coder> coder_of(const artefact::Reader& model, const ModelDescri
   try {
     return make_coder(variant.coder, description.shape, description.options);
   } catch (const Error& error) {
-    model.refuse("/", std::string("has sizes that its networks cannot have: ") + error.what());
+    model.refuse("/", std::string("has impossible network sizes: ") + error.what());
   }
 }
 

@@ -13,8 +13,8 @@ void bind(const cli::Options& command, TwinOptions& o) {
   command.add("--batch", o.batch, "windows in a batch").check(cli::positive_number());
   command.choose("--batches", o.batches,
                  {{"mixed", Batches::mixed}, {"class", Batches::of_one_class}},
-                 "windows that a batch holds: of all classes mixed, or of one class (paper 4.5.5)");
-  command.add("--learning-rate", o.learning_rate, "of Adam, at the start")
+                 "windows of a batch: from all classes (mixed), or from one class (paper 4.5.5)");
+  command.add("--learning-rate", o.learning_rate, "learning rate of Adam at the start")
       .check(cli::positive_number());
   command.add("--decay-every", o.decay_every, "epochs between decays of the learning rate")
       .check(cli::positive_number());
@@ -33,45 +33,46 @@ void bind(const cli::Options& command, TwinOptions& o) {
        {"adaptive-without-log", LossWeights::adaptive_without_log},
        {"stationary", LossWeights::stationary},
        {"fixed", LossWeights::fixed}},
-      "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (the term that holds them "
-      "above zero), stationary (1 / (2 L) of the epoch before), or fixed (at 1)");
+      "alpha, beta, gamma of eq. 23: adaptive, adaptive-without-log (without the term that keeps "
+      "them above zero), stationary (1 / (2 L) of the previous epoch), or fixed (at 1)");
   command
       .add("--weight-learning-rate", o.weight_learning_rate,
-           "of Adam for ln alpha, ln beta, ln gamma, at the start (paper, eq. 25)")
+           "learning rate of Adam for ln alpha, ln beta, ln gamma at the start (paper, eq. 25)")
       .check(cli::positive_number());
   command.choose(
       "--unit", o.unit, {{"rms", Unit::rms}, {"peak", Unit::peak}, {"recording", Unit::recording}},
-      "what the windows of a class are divided by: its RMS, its peak, or nothing (open in the "
-      "paper)");
+      "divisor of the windows of a class: its RMS, its peak, or 1 (recording); open in the "
+      "paper");
   command.choose("--positive", o.positive,
                  {{to_string(Positive::softplus), Positive::softplus},
                   {to_string(Positive::exponential), Positive::exponential}},
-                 "how eq. 16 makes k and c positive (open in the paper)");
+                 "function that makes k and c positive in eq. 16; open in the paper");
   command.choose("--squares", o.squares, {{"mean", Squares::mean}, {"sum", Squares::sum}},
-                 "squared norms of eqs 20 to 22 over a window: mean or sum of its samples");
+                 "squared norms of eqs 20 to 22: mean or sum over the samples of a window");
   command.choose("--mmd", o.mmd, {{"squared", Mmd::squared}, {"root", Mmd::root}},
                  "MMD of eqs 20 and 21: the squared discrepancy, or its root (eq. 27)");
   command.choose("--residual", o.residual,
                  {{"squared", Residual::squared}, {"absolute", Residual::absolute}},
-                 "what is made small of what eq. 22 leaves over, which writes no norm");
-  command.choose("--derivatives", o.derivatives,
-                 {{"central", Derivatives::central}, {"spectral", Derivatives::spectral}},
-                 "of eq. 21: central differences, or those of the band-limited signal");
+                 "norm of the residual of eq. 22: squared or absolute; open in the paper");
+  command.choose(
+      "--derivatives", o.derivatives,
+      {{"central", Derivatives::central}, {"spectral", Derivatives::spectral}},
+      "derivatives of eq. 21: central differences, or spectral (of the band-limited signal)");
   command.choose(
       "--contact", o.contact,
       {{"standing", ContactInterpretation::standing},
        {"defect-alone", ContactInterpretation::defect_alone},
        {"passing", ContactInterpretation::passing},
        {"expected", ContactInterpretation::expected}},
-      "delta of eq. 22: clearance and depth throughout (eq. 11), the depth alone (eq. 22), with "
-      "the depth while a ball passes (eq. 9), or what is expected of that over all angles");
-  command.add("--space-bins", o.space_bins, "bins of the digital twin space, for k and for c")
+      "delta of eq. 22: clearance and depth always (standing; eq. 11), the depth alone (eq. 22), "
+      "clearance and the depth while a ball passes (eq. 9), or its expected value over all angles");
+  command.add("--space-bins", o.space_bins, "bins of the digital twin space along k and along c")
       .check(cli::whole_number(1, 1000));
   command.choose("--keep", o.keep,
                  {{to_string(Keep::best), Keep::best}, {to_string(Keep::final), Keep::final}},
                  "model that generates: best (lowest training loss) or final (paper 4.3, Table 4)");
-  command.add("--mass-kg", o.mass_kg, "M of eq. 22, kg").check(cli::positive_number());
-  command.add("--load-n", o.load_n, "W of eq. 22, N").check(cli::positive_number());
+  command.add("--mass-kg", o.mass_kg, "mass M of eq. 22, kg").check(cli::positive_number());
+  command.add("--load-n", o.load_n, "load W of eq. 22, N").check(cli::positive_number());
   command.add("--clearance-um", o.clearance_um, "radial clearance of eq. 11, micrometres")
       .check(cli::non_negative_number());
 }
@@ -79,8 +80,8 @@ void bind(const cli::Options& command, TwinOptions& o) {
 void bind_space(const cli::Options& command, TwinOptions& o) {
   command.choose(
       "--space", o.space, {{"all", SpaceOf::all_classes}, {"class", SpaceOf::each_class}},
-      "windows whose histogram a class is drawn from: all (paper 4.4.2), or those of the "
-      "class (3.4)");
+      "windows whose histogram supplies the (k, c) of a class: all (paper 4.4.2), or those "
+      "of the class (paper 3.4)");
 }
 
 }  // namespace piae::twin

@@ -32,7 +32,7 @@ std::vector<double> read_edges(const artefact::Reader& reader, const std::string
   reader.require_all(path, edges, ranges::coordinate);
   if (!ranges::bins.holds(static_cast<double>(edges.size()) - 1) ||
       !std::ranges::is_sorted(edges)) {
-    reader.refuse(path, "is no row of edges of 1 to 1000 bins");
+    reader.refuse(path, "must hold the edges of 1 to 1000 bins in ascending order");
   }
   return edges;
 }
@@ -121,7 +121,7 @@ void require_points_of_faults(const artefact::Reader& model, const std::string& 
   const signal::DatasetInfo info = signal::read_dataset_info(model);
   for (const Label label : labels) {
     if (label < 0 || index_of(label) >= info.classes.size()) {
-      model.refuse(path, "holds label " + std::to_string(label) + ", which no class has");
+      model.refuse(path, "holds label " + std::to_string(label) + ", but no class has it");
     }
   }
   for (const Label fault : info.fault_labels()) {

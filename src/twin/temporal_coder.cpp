@@ -52,10 +52,11 @@ TemporalCoder::TemporalCoder(const NetworkShape& shape, const TwinOptions& optio
       blocks_(options.depth - 1),
       positions_(frames_of(shape.samples, frame, "convolved")) {
   if (blocks_ < 1 || blocks_ > most_blocks) {
-    throw Error(Exit::usage,
-                fmt::format("--depth: {} is not possible: one layer is dense, and 1 to {} blocks "
-                            "of convolutions beside it work, that is depths of 2 to {}",
-                            options.depth, most_blocks, most_blocks + 1));
+    throw Error(
+        Exit::usage,
+        fmt::format("--depth: {} is not possible: the coder has one dense layer and 1 to {} "
+                    "blocks of convolutions; use 2 to {}",
+                    options.depth, most_blocks, most_blocks + 1));
   }
 }
 

@@ -33,7 +33,7 @@ std::vector<double> unit_by_class(const signal::WindowSet& known, Unit unit) {
     case Unit::recording:
       return std::vector<double>(known.info.classes.size(), 1.0);
   }
-  throw std::logic_error("no such unit");
+  throw std::logic_error("unknown unit");
 }
 
 ModelDescription describe(const signal::WindowSet& known, const TwinOptions& options) {
@@ -77,8 +77,8 @@ void require_derivatives(const signal::WindowSet& known, const TwinOptions& opti
                          const TwinVariant& variant) {
   const auto shortest = static_cast<std::size_t>(2 * stencil_of(options.derivatives).reach + 1);
   if (!variant.physics || known.length >= shortest) return;
-  throw Error(Exit::usage, fmt::format("windows of {} samples: the physics-informed module needs "
-                                       "{} or more",
+  throw Error(Exit::usage, fmt::format("windows of {} samples are too short for the "
+                                       "physics-informed module; use {} or more",
                                        known.length, shortest));
 }
 

@@ -84,7 +84,7 @@ TransformerCoder::TransformerCoder(const NetworkShape& shape, const TwinOptions&
   if (tokens_ > most_tokens) {
     throw Error(Exit::usage,
                 fmt::format("windows of {} samples are too long for attention, whose memory grows "
-                            "with the square of their length; up to {} samples work (split "
+                            "with the square of their length; use at most {} samples (split "
                             "--window)",
                             shape.samples, most_tokens * frame));
   }

@@ -51,19 +51,19 @@ cli::StoredOptions table_of(ImpulseOptions& o) {
   cli::StoredOptions table;
   table.in("/impulses");
   table.add("resonance-from", o.lowest_part, ranges::frequency_part,
-            "lowest resonance / half the sampling rate");
+            "lowest natural frequency / half the sample rate");
   table.add("resonance-to", o.highest_part, ranges::frequency_part,
-            "highest resonance / half the sampling rate");
+            "highest natural frequency / half the sample rate");
   table.add("damping-ratio-from", o.least_damping, ranges::damping_ratio,
             "least damping ratio of a resonance");
   table.add("damping-ratio-to", o.largest_damping, ranges::damping_ratio,
             "largest damping ratio of a resonance");
   table.add("modulation", o.modulation, ranges::part,
-            "of the impulses by shaft (inner race) or cage (ball): largest depth");
+            "largest modulation depth of the impulses by shaft (inner race) or cage (ball)");
   table.add("level-from-db", o.least_level_db, ranges::level_db,
-            "impulses over the healthy window: least, dB");
+            "least level of the impulses over the healthy window, dB");
   table.add("level-to-db", o.largest_level_db, ranges::level_db,
-            "impulses over the healthy window: largest, dB");
+            "largest level of the impulses over the healthy window, dB");
   return table;
 }
 

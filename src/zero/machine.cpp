@@ -33,8 +33,8 @@ std::vector<std::size_t> windows_near(const signal::WindowSet& healthy, std::int
 }
 
 std::string called(const signal::WindowSet& healthy, std::int32_t condition) {
-  if (condition == signal::every_condition) return "no healthy window";
-  return "no healthy window of the tested condition '" +
+  if (condition == signal::every_condition) return "there are no healthy windows";
+  return "there are no healthy windows of the tested condition '" +
          healthy.info.conditions[static_cast<std::size_t>(condition)].name + "'";
 }
 
@@ -45,18 +45,19 @@ void require_impact_times(const signal::WindowSet& healthy, Label label, double 
   const double impact_frequency_hz = bearing::impact_frequency_hz(info.bearing, c.defect, rpm);
   const double samples = std::ceil(info.sample_rate_hz / impact_frequency_hz);
   if (static_cast<double>(healthy.length) >= samples) return;
-  throw Error(Exit::bad_input,
-              fmt::format("class {} is struck {:g} times a second at {:g} rpm, so that windows of "
-                          "{} samples may hold no strike; {:.0f} or more would do",
-                          c.name, impact_frequency_hz, rpm, healthy.length, samples));
+  throw Error(
+      Exit::bad_input,
+      fmt::format("class {} has {:g} impacts per second at {:g} rpm, so windows of {} samples "
+                  "may miss them; use {:.0f} samples or more (split --window)",
+                  c.name, impact_frequency_hz, rpm, healthy.length, samples));
 }
 
 void require_speed(const signal::WindowSet& healthy, std::size_t i) {
   const double rpm = healthy.speed_rpm(i);
   if (!signal::ranges::shaft_speed_rpm.holds(rpm)) {
     throw Error(Exit::bad_input,
-                fmt::format("healthy window {} says a shaft speed of {:g} rpm, by which no defect "
-                            "has a rhythm; describe the speed of its recording",
+                fmt::format("healthy window {} has a shaft speed of {:g} rpm, which is impossible; "
+                            "describe the speed of its recording (shaft_speed_rpm)",
                             i, rpm));
   }
   for (const Label label : healthy.info.fault_labels()) require_impact_times(healthy, label, rpm);
@@ -70,8 +71,8 @@ Machine::Machine(const signal::WindowSet& healthy) : healthy_(healthy) {
   for (const std::int32_t condition : healthy.info.tested_conditions()) {
     std::vector<std::size_t> windows = windows_near(healthy, condition);
     if (windows.empty()) {
-      throw Error(Exit::bad_input, called(healthy, condition) +
-                                       ": what no fault is known of is made from those of B");
+      throw Error(Exit::bad_input,
+                  called(healthy, condition) + "; give --healthy B.h5 with at least one");
     }
     healthy_conditions_.push_back({.condition = condition, .sound = sound_of(std::move(windows))});
   }

@@ -39,19 +39,19 @@ TEST(Catalogue, NumbersThePapersFiveModelsInTheirOrder) {
             names_of([](const auto& entry) { return entry.model > 1; }));
 }
 
-TEST(Catalogue, KnowsTheAblationsThatThePaperMakesAndThoseOfItsOutlook) {
+TEST(Catalogue, MarksTheAblationsOfThePaperAndOfItsOutlook) {
   EXPECT_THAT(names_of(is_ablation), ElementsAre("ae", "physics", "piae-dt-cnn", "piae-dt-rnn",
                                                  "piae-dt-tcn", "piae-dt-transformer"));
 }
 
-TEST(Catalogue, HasOneBaselineWhichMakesNothing) {
+TEST(Catalogue, HasOneBaselineThatGeneratesNothing) {
   EXPECT_THAT(names_of([](const auto& entry) { return entry.kind == Kind::baseline; }),
               ElementsAre(no_method));
   EXPECT_THAT(names_of([](const auto& entry) { return entry.make == nullptr; }),
               ElementsAre(no_method));
 }
 
-TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
+TEST(Catalogue, MarksMethodsThatInferStiffnessAndDamping) {
   artefact::Writer writer("model");
   writer.attribute("/", "method", std::string("any"));
   writer.save(scratch_file("empty.h5"), {});
@@ -72,7 +72,7 @@ TEST(Catalogue, SaysWhichMethodsInferStiffnessAndDamping) {
 
 /// Only training by epochs checks for interruption. The windows are longer than a turn of the
 /// shaft, as piae-dt-phase needs.
-TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
+TEST(Catalogue, MarksMethodsTrainedInEpochs) {
   nets::Checkpoint stopped = checkpoint_at("cut");
   stopped.interrupted = [] { return true; };
   for (const CatalogueEntry& entry : catalogue()) {
@@ -88,7 +88,7 @@ TEST(Catalogue, SaysWhichMethodsAreTrainedInEpochs) {
   }
 }
 
-TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
+TEST(Catalogue, MarksMethodsThatWorkWithoutKnownWindows) {
   signal::WindowSet none;
   none.info = known_windows().info;
   none.length = known_windows().length;
@@ -98,8 +98,8 @@ TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
       EXPECT_NO_THROW(require_known_windows(entry, none, "C.h5"));
     } else {
       EXPECT_ERROR(require_known_windows(entry, none, "C.h5"), Exit::bad_input,
-                   "C.h5: holds no known fault window (known-per-class = 0), and " +
-                       std::string(entry.name) + " learns from those; methods that need none: ");
+                   "C.h5: has no known fault windows (known-per-class = 0), but " +
+                       std::string(entry.name) + " learns from them; use a method that does not: ");
     }
   }
   EXPECT_THAT(methods_without_known(), testing::Contains("oracle"));
@@ -109,9 +109,9 @@ TEST(Catalogue, SaysWhatWorksWithoutKnownWindows) {
       works_without_known({.name = "a", .kind = Kind::ours, .what = "", .without_known = true}));
 }
 
-TEST(Catalogue, NamesAllMethodsToWhoeverAsksForAnother) {
-  EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known are dynamics");
-  EXPECT_ERROR(make_method(no_method), Exit::usage, "known are dynamics");
+TEST(Catalogue, ListsAllMethodsForAnUnknownName) {
+  EXPECT_ERROR(make_method("another"), Exit::usage, "unknown method 'another'; known: dynamics");
+  EXPECT_ERROR(make_method(no_method), Exit::usage, "known: dynamics");
 }
 
 TEST(Catalogue, CountsTheFaultsThatAMethodLearnsFrom) {
@@ -123,7 +123,7 @@ TEST(Catalogue, CountsTheFaultsThatAMethodLearnsFrom) {
   EXPECT_EQ(counted_faults(windows), "no fault window");
 }
 
-TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {
+TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
   signal::DatasetInfo info;
   info.name = "rig";
   info.classes = {{"ok", signal::Defect::none, 0}, {"bad", signal::Defect::outer, 0}};
@@ -136,21 +136,26 @@ TEST(Catalogue, AMethodIsRefusedWhereADescriptionDoesNotSayWhatItNeeds) {
     }
     return {};
   };
-  EXPECT_EQ(refusal("piae-dt-phase"),
-            "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
-            "does not say; methods that do without: smote, vae, wgan-gp, ae, piae-dt-zero, "
-            "oversample, shift, resample, randomise, healthy-plus-impulses, oracle");
+  EXPECT_EQ(
+      refusal("piae-dt-phase"),
+      "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
+      "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, piae-dt-zero, "
+      "oversample, shift, resample, randomise, healthy-plus-impulses, oracle");
   EXPECT_EQ(refusal("piae-dt-zero"), "");
   info.classes[1].defect = signal::Defect::other;
-  EXPECT_EQ(refusal("piae-dt-zero"),
-            "C.h5: piae-dt-zero needs the rhythm of class bad, whose defect is 'other', which the "
-            "description of rig does not say; methods that do without: smote, vae, wgan-gp, ae, "
-            "oversample, shift, resample, randomise, oracle");
+  EXPECT_EQ(
+      refusal("piae-dt-zero"),
+      "C.h5: piae-dt-zero needs the impact rate of class bad, whose defect is 'other', which the "
+      "description of rig does not give; use a method that does not need it: smote, vae, wgan-gp, "
+      "ae, "
+      "oversample, shift, resample, randomise, oracle");
   EXPECT_EQ(refusal("ae"), "");
   info.has_bearing = false;
   EXPECT_EQ(refusal("ae"),
-            "C.h5: ae needs [bearing], its geometry, which the description of rig does not say; "
-            "methods that do without: smote, vae, wgan-gp, oversample, shift, resample, randomise, "
+            "C.h5: ae needs the bearing geometry, table [bearing], which the description of rig "
+            "does not give; "
+            "use a method that does not need it: smote, vae, wgan-gp, oversample, shift, resample, "
+            "randomise, "
             "oracle");
   EXPECT_EQ(refusal("shift"), "");
   info.has_bearing = true;

@@ -42,7 +42,7 @@ std::filesystem::path model(const signal::WindowSet& known, const std::string& o
   return train("dynamics", options, known, checkpoint_at("checkpoint"), "model.h5");
 }
 
-TEST(Dynamics, WindowsHaveTheMeanZeroAndTheRmsOfTheirClass) {
+TEST(Dynamics, WindowsHaveZeroMeanAndTheRmsOfTheirClass) {
   const signal::WindowSet known = three_faults(512);
   const signal::WindowSet windows = generate("dynamics", model(known), 3);
   const std::vector<double> expected = signal::rms_by_class(known);
@@ -91,7 +91,7 @@ TEST(Dynamics, EnvelopeShowsTheFaultFrequencyOfTheClass) {
   }
 }
 
-TEST(Dynamics, GivesTheSameOnAnyNumberOfThreads) {
+TEST(Dynamics, DoesNotDependOnTheNumberOfThreads) {
   const std::filesystem::path path = model(three_faults(256));
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -102,7 +102,7 @@ TEST(Dynamics, GivesTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.samples, three.samples);
 }
 
-TEST(Dynamics, StoresStiffnessAndDampingThatEachWindowHas) {
+TEST(Dynamics, StoresStiffnessAndDampingOfEachWindow) {
   const auto path = model(three_faults(64),
                           "--stiffness-n-per-m 2e8 --stiffness-spread 0 "
                           "--damping-ns-per-m 700 --damping-spread 0.1");
@@ -128,7 +128,7 @@ TEST(Dynamics, RefusesSpreadsThatAllowNegativeParameters) {
   }
 }
 
-TEST(Dynamics, SaysOfWhichClassEq13Diverged) {
+TEST(Dynamics, NamesTheClassForWhichEq13Diverged) {
   const auto path = model(three_faults(64), "--damping-ns-per-m 1e8");
   EXPECT_ERROR(generate("dynamics", path, 1), Exit::failed, "class IR: eq. 13 diverged");
 }

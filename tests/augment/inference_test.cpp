@@ -29,7 +29,7 @@ class Inferring : public testing::TestWithParam<std::string> {
 };
 
 // The training itself computed the twin space in the model from the windows C.
-TEST_P(Inferring, GivesForTheKnownWindowsThePointsOfTheTwinSpace) {
+TEST_P(Inferring, InfersThePointsOfTheTwinSpaceFromKnownWindows) {
   const auto inferred = make_method(GetParam())->infer(reader_, known_, {});
   const std::vector<twin::TwinPoint> points = twin::TwinSpace(reader_).points();
   ASSERT_EQ(inferred.size(), points.size());
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, Inferring,
                                          "piae-dt-tcn", "piae-dt-transformer", "piae-dt-phase"),
                          test_name);
 
-TEST(Inferring, IsNotForMethodsWithoutAnEncoder) {
+TEST(Inferring, NeedsAnEncoder) {
   const signal::WindowSet known = simulated_windows(2, "known");
   artefact::Writer writer("model");
   writer.attribute("/", "method", std::string("smote"));

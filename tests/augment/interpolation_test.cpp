@@ -21,7 +21,7 @@ const std::vector<float> c{0, 3};
 const std::vector<float> d{4, 3};
 const std::vector<Window> windows{a, b, c, d};
 
-TEST(NearestNeighbours, AreThoseOfTheHandWorkedTable) {
+TEST(NearestNeighbours, MatchTheHandWorkedTable) {
   // b is equally far from c and d: the earlier comes first.
   EXPECT_EQ(nearest_neighbours(windows, 1), (std::vector<Indices>{{1}, {0}, {0}, {1}}));
   EXPECT_EQ(nearest_neighbours(windows, 2), (std::vector<Indices>{{1, 2}, {0, 2}, {0, 1}, {1, 2}}));
@@ -29,11 +29,11 @@ TEST(NearestNeighbours, AreThoseOfTheHandWorkedTable) {
             (std::vector<Indices>{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {1, 2, 0}}));
 }
 
-TEST(NearestNeighbours, OfEqualWindowsAreTheOthersNotTheWindowItself) {
+TEST(NearestNeighbours, ExcludeTheWindowItself) {
   EXPECT_EQ(nearest_neighbours({a, a, a}, 2), (std::vector<Indices>{{1, 2}, {0, 2}, {0, 1}}));
 }
 
-TEST(NearestNeighbours, CannotBeMoreThanThereAreOthers) {
+TEST(NearestNeighbours, CannotExceedTheNumberOfOtherWindows) {
   EXPECT_THROW(nearest_neighbours(windows, 4), std::logic_error);
   EXPECT_THROW(nearest_neighbours({}, 0), std::logic_error);
 }
@@ -43,7 +43,7 @@ TEST(NearestNeighbours, NeedWindowsOfOneLength) {
   EXPECT_THROW(nearest_neighbours({a, longer}, 1), std::logic_error);
 }
 
-TEST(Interpolate, IsTheHandWorkedPointOfTheLine) {
+TEST(Interpolate, MatchesTheHandWorkedPoint) {
   const std::vector<float> base{1, -2, 8};
   const std::vector<float> neighbour{3, -2, 0};
   EXPECT_EQ(interpolate(base, neighbour, 0), base);

@@ -34,13 +34,13 @@ double distance_to_known(const std::string& method, const std::string& options) 
   return sum;
 }
 
-TEST(Vae, ComesNearerToTheKnownWindows) {
+TEST(Vae, ApproachesTheKnownWindows) {
   const std::string options = "--width 32 --latent 4 --learning-rate 2e-3 --epochs ";
   EXPECT_LT(distance_to_known("vae", options + "150"),
             0.5 * distance_to_known("vae", options + "1"));
 }
 
-TEST(WganGp, ComesNearerToTheKnownWindows) {
+TEST(WganGp, ApproachesTheKnownWindows) {
   const std::string options = "--width 32 --latent 4 --batch 10 --learning-rate 2e-3 --epochs ";
   EXPECT_LT(distance_to_known("wgan-gp", options + "1200"),
             0.5 * distance_to_known("wgan-gp", options + "1"));

@@ -31,7 +31,7 @@ void expect_as_boost(const F& f, int bits, int most_values) {
   EXPECT_NEAR(line.best(), found, 1e-12);
 }
 
-TEST(LineMinimum, LooksWhereBoostLooks) {
+TEST(LineMinimum, EvaluatesTheSamePointsAsBoost) {
   for (const int most_values : {1, 5, 30}) {
     expect_as_boost([](double x) { return (x - 0.3) * (x - 0.3); }, 12, most_values);
     expect_as_boost([](double x) { return std::cosh(x + 0.4) + 0.3 * x; }, 12, most_values);

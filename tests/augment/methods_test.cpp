@@ -62,7 +62,7 @@ TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
   EXPECT_TRUE(windows.record.empty());  // not cut from any recording
 }
 
-TEST_P(GeneratingMethod, SaysKnownWindowsOfTheSameClassAsParentsOrNone) {
+TEST_P(GeneratingMethod, HasParentsOfTheSameClassOrNone) {
   const std::vector<std::string> without{
       "dynamics", "physics", "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp"};
   const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 12);
@@ -77,7 +77,7 @@ TEST_P(GeneratingMethod, SaysKnownWindowsOfTheSameClassAsParentsOrNone) {
   }
 }
 
-TEST_P(GeneratingMethod, MakesTheFirstWindowsTheSameWhateverTheCount) {
+TEST_P(GeneratingMethod, FirstWindowsDoNotDependOnTheCount) {
   const std::filesystem::path path = model("model.h5");
   const signal::WindowSet few = generate(GetParam().method, path, 2);
   const signal::WindowSet many = generate(GetParam().method, path, 7);
@@ -119,7 +119,7 @@ TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
 class TrainedMethod : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod, testing::Values(vae, wgan_gp), name_of);
 
-TEST_P(TrainedMethod, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+TEST_P(TrainedMethod, ContinuedTrainingEqualsAnUninterruptedOne) {
   const std::string uncut = bytes_of(trained(GetParam(), "uncut.h5", checkpoint_at("uncut")));
   for (int cut = 1; cut <= 4; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut");
@@ -132,7 +132,7 @@ TEST_P(TrainedMethod, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
   }
 }
 
-TEST_P(TrainedMethod, SaysWhenItsTrainingDiverged) {
+TEST_P(TrainedMethod, ReportsDivergence) {
   try {
     train(GetParam().method, "--epochs 50 --width 8 --learning-rate 1e30", known_windows(),
           checkpoint_at("checkpoint"), "never.h5");
@@ -143,7 +143,7 @@ TEST_P(TrainedMethod, SaysWhenItsTrainingDiverged) {
   }
 }
 
-TEST_P(TrainedMethod, RefusesASilentClass) {
+TEST_P(TrainedMethod, RefusesAConstantClass) {
   signal::WindowSet known = known_windows();
   std::fill_n(known.samples.begin(), 5 * known.length, 1.0F);
   EXPECT_THROW(train(GetParam().method, "", known, checkpoint_at("checkpoint"), "never.h5"), Error);

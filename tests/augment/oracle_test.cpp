@@ -30,7 +30,7 @@ std::vector<int> numbers_of(const signal::WindowSet& windows, std::int32_t label
   return numbers;
 }
 
-TEST(Oracle, AloneLearnsFromRealWindows) {
+TEST(Oracle, IsTheOnlyMethodThatLearnsFromRealWindows) {
   for (const std::string& name : method_names()) {
     const LearnsFrom from = make_method(name)->learns_from();
     EXPECT_EQ(from, name == "oracle" ? LearnsFrom::real : LearnsFrom::known) << name;
@@ -56,7 +56,7 @@ TEST(Oracle, TakesThemFromAllOverTheRecord) {
   EXPECT_GT(first.back() - first.front(), 10);
 }
 
-TEST(Oracle, TakesTheSameFirstWindowsWhateverTheCount) {
+TEST(Oracle, FirstWindowsDoNotDependOnTheCount) {
   const std::vector<int> few = numbers_of(generate("oracle", model(), 4), 2);
   std::vector<int> many = numbers_of(generate("oracle", model(), 20), 2);
   many.resize(4);
@@ -64,7 +64,7 @@ TEST(Oracle, TakesTheSameFirstWindowsWhateverTheCount) {
 }
 
 /// Some classifiers measure a window at its own shaft speed.
-TEST(Oracle, SaysAtWhichSpeedEachWindowWasRecorded) {
+TEST(Oracle, HasTheRecordedSpeedOfEachWindow) {
   signal::WindowSet real = numbered_windows();
   for (std::size_t i = 0; i < real.size(); ++i) {
     real.shaft_speed_rpm.push_back(600 + real.window(i)[0]);
@@ -77,14 +77,14 @@ TEST(Oracle, SaysAtWhichSpeedEachWindowWasRecorded) {
   }
 }
 
-TEST(Oracle, SaysHowManyThereAre) {
+TEST(Oracle, NamesTheLargestPossibleCount) {
   try {
     generate("oracle", model(), 31);
     FAIL() << "made a real window";
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
     EXPECT_NE(std::string(error.what()).find("class IR has 30 real windows"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("works is 30"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("give at most --count 30"), std::string::npos);
   }
 }
 

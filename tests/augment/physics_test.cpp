@@ -64,8 +64,8 @@ class Recovery : public testing::TestWithParam<Truth> {
   }
 };
 
-TEST_P(Recovery, OfAWindowWithoutNoise) { expect_found(0); }
-TEST_P(Recovery, OfAWindowWithNoise10DbBelow) { expect_found(std::sqrt(0.1)); }
+TEST_P(Recovery, SucceedsWithoutNoise) { expect_found(0); }
+TEST_P(Recovery, SucceedsWithNoise10DbBelow) { expect_found(std::sqrt(0.1)); }
 
 INSTANTIATE_TEST_SUITE_P(Truths, Recovery,
                          testing::Values(Truth{{"IR", signal::Defect::inner, 0.1778}, 1e8, 700},
@@ -100,7 +100,7 @@ TEST(SpectralFit, StaysBelowTheStiffnessThatLosesContact) {
   EXPECT_LT(fit.fit({tone}).front().stiffness_n_per_m, 1e8);
 }
 
-TEST(SpectralFit, FindsForEachOfManyWindowsWhatItFindsForItAlone) {
+TEST(SpectralFit, FitsEachOfManyWindowsAsAlone) {
   const Truth truth{{"OR", signal::Defect::outer, 0.5334}, 2e8, 800};
   const SpectralFit fit(simulation_of(truth.fault), 1, {.stiffness_grid = 6, .damping_grid = 3});
   const signal::WindowSet windows = windows_of(truth, bearing::courses_at_once + 2, 0.1);
@@ -134,7 +134,7 @@ TEST(Physics, DrawsFromTheHistogramOfTheFittedParameters) {
   }
 }
 
-TEST(Physics, CutAfterAnyClassAndContinuedEqualsAnUncutFit) {
+TEST(Physics, ContinuedFitEqualsAnUninterruptedOne) {
   const std::string uncut = bytes_of(model("", checkpoint_at("uncut.checkpoint"), "uncut.h5"));
   for (int cut = 1; cut <= 2; ++cut) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.checkpoint");
@@ -146,7 +146,7 @@ TEST(Physics, CutAfterAnyClassAndContinuedEqualsAnUncutFit) {
   }
 }
 
-TEST(Physics, RefusesBoundsThatLeaveNothingBetween) {
+TEST(Physics, RefusesEmptyBounds) {
   const auto refused = [](const std::string& options) {
     return model(options, checkpoint_at("checkpoint"));
   };

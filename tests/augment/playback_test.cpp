@@ -49,14 +49,14 @@ TEST(Resample, PlaysTheKnownWindowsAtTheTestedSpeed) {
   }
 }
 
-TEST(Playback, SaysWhichWindowItPlays) {
+TEST(Playback, RecordsWhichWindowItPlays) {
   for (const std::string name : {"resample", "randomise"}) {
     const auto model = train(name, "", tones(), checkpoint_at("checkpoint"), "model.h5");
     EXPECT_EQ(generate(name, model, 2).parents, (std::vector<signal::Parents>{{0}, {0}, {1}, {1}}));
   }
 }
 
-TEST(Randomise, PlaysThemAtSpeedsBetween) {
+TEST(Randomise, PlaysKnownWindowsAtSpeedsBetween) {
   const auto model = train("randomise", "", tones(), checkpoint_at("checkpoint"), "model.h5");
   const signal::WindowSet windows = generate("randomise", model, 200);
   double sum = 0;
@@ -71,7 +71,7 @@ TEST(Randomise, PlaysThemAtSpeedsBetween) {
   EXPECT_NEAR(sum / static_cast<double>(windows.size()), 86.9, 1.3);
 }
 
-TEST(Randomise, GivesEachWindowAPathOfItsOwn) {
+TEST(Randomise, GivesEachWindowItsOwnPath) {
   signal::WindowSet known = tones();
   for (std::size_t t = 0; t < known.samples.size(); ++t) {
     known.samples[t] += static_cast<float>(
@@ -117,7 +117,7 @@ std::complex<double> phasor(const std::vector<double>& samples, double radians_p
   return 2.0 * sum / static_cast<double>(samples.size());
 }
 
-TEST(Playback, PlaysASineAtAnotherPitchFromTheSampleThatWasAskedFor) {
+TEST(Playback, PlaysASineAtAnotherPitchFromTheRequestedSample) {
   constexpr std::size_t length = 1024;
   constexpr std::size_t start = 300;
   for (const double factor : {0.5, 0.75, 0.8342, 1.0, 1.5, 2.0}) {
@@ -138,7 +138,7 @@ TEST(Playback, IsTheWindowShiftedAtItsOwnSpeed) {
   EXPECT_EQ(played(window, 3, 1), (std::vector<double>{4, 1, 2, 3}));
 }
 
-TEST(Playback, FoldsNothingOverAndAddsNothingAbove) {
+TEST(Playback, DoesNotAlias) {
   constexpr std::size_t length = 1024;
   const std::vector<double> fast = played(sine_of(400, length), 0, 1.5);  // 1.17 times Nyquist's
   for (const double x : fast) EXPECT_NEAR(x, 0, 0.02);

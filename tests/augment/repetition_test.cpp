@@ -33,12 +33,12 @@ TEST(Oversample, RepeatsTheKnownWindowsInTurn) {
                      10, 20, 30, 40, 10, 20, 30, 40, 10, 20, 30, 40}));
 }
 
-TEST(Oversample, SaysWhichWindowItRepeats) {
+TEST(Oversample, RecordsWhichWindowItRepeats) {
   EXPECT_EQ(windows_of("oversample", 3).parents,
             (std::vector<signal::Parents>{{0}, {1}, {0}, {2}, {2}, {2}}));
 }
 
-TEST(Shift, SaysWhichWindowItTurns) {
+TEST(Shift, RecordsWhichWindowItShifts) {
   const signal::WindowSet known = three_windows();
   const signal::WindowSet windows = windows_of("shift", 5);
   ASSERT_EQ(windows.parents.size(), 10U);
@@ -50,7 +50,7 @@ TEST(Shift, SaysWhichWindowItTurns) {
   }
 }
 
-TEST(Shift, TurnsTheKnownWindowsRoundByWhatTheirRandomNumbersSay) {
+TEST(Shift, ShiftsKnownWindowsCircularlyAtRandom) {
   const signal::WindowSet windows = windows_of("shift", 8);
   const Samples known[] = {{1, 2, 3, 4}, {5, 6, 7, 8}};
   for (std::size_t i = 0; i < 8; ++i) {

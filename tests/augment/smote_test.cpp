@@ -36,7 +36,7 @@ double place_between(Window base, Window neighbour, Window window) {
   return gap;
 }
 
-TEST(Smote, WithOneNeighbourIsTheLineToTheNearest) {
+TEST(Smote, WithOneNeighbourInterpolatesToTheNearest) {
   // From the table by hand: (0,0) -> (2,0), (2,0) -> (0,0), (0,3) -> (0,0), (4,3) -> (2,0). The
   // known windows take turns as the base.
   const std::size_t nearest[] = {1, 0, 0, 1};
@@ -56,7 +56,7 @@ TEST(Smote, WithOneNeighbourIsTheLineToTheNearest) {
   EXPECT_LT(gaps.back(), 1);
 }
 
-TEST(Smote, DrawsEveryNeighbourAndNoOther) {
+TEST(Smote, DrawsEveryNeighbourAndNoOtherWindow) {
   // The two nearest of (0, 0) are (2, 0) and (0, 3): windows lie on one axis or the other.
   const signal::WindowSet windows = generate("smote", model_with(2), 400);
   int along_first = 0;
@@ -70,7 +70,7 @@ TEST(Smote, DrawsEveryNeighbourAndNoOther) {
   EXPECT_NEAR(along_first, 50, 17);  // of 100; 3.3 standard deviations
 }
 
-TEST(Smote, IsExactlyWhatItsRandomNumbersSay) {
+TEST(Smote, FollowsItsRandomNumbersExactly) {
   const signal::WindowSet known = four_of_a_class();
   const signal::WindowSet windows = generate("smote", model_with(3), 6);
   // Window 5 of class IR: base (2, 0), with neighbours by distance (0,0), (0,3), (4,3).
@@ -82,7 +82,7 @@ TEST(Smote, IsExactlyWhatItsRandomNumbersSay) {
   EXPECT_EQ(windows.window(5)[1], static_cast<float>(gap * neighbour[1]));
 }
 
-TEST(Smote, SaysBetweenWhichTwoWindowsEachLies) {
+TEST(Smote, RecordsBothParentsOfEachWindow) {
   const signal::WindowSet known = four_of_a_class();
   const signal::WindowSet windows = generate("smote", model_with(3), 40);
   ASSERT_EQ(windows.parents.size(), 80U);
@@ -123,12 +123,13 @@ void expect_refusal(const signal::WindowSet& known, int neighbours,
   }
 }
 
-TEST(Smote, SaysHowManyNeighboursWouldWork) {
-  expect_refusal(four_of_a_class(), 4, {"--neighbours 4", "IR", "4 known windows", "is 3"});
+TEST(Smote, NamesTheLargestPossibleNeighbours) {
+  expect_refusal(four_of_a_class(), 4,
+                 {"--neighbours 4", "IR", "4 known windows", "at most --neighbours 3"});
   signal::WindowSet uneven = four_of_a_class();
   uneven.samples.resize(18);
   uneven.labels.resize(6);
-  expect_refusal(uneven, 3, {"--neighbours 3", "OR", "2 known windows", "is 1"});
+  expect_refusal(uneven, 3, {"--neighbours 3", "OR", "2 known windows", "at most --neighbours 1"});
 }
 
 TEST(Smote, NeedsTwoKnownWindows) {
@@ -138,7 +139,7 @@ TEST(Smote, NeedsTwoKnownWindows) {
   expect_refusal(known, 1, {"OR", "1 known window;", "at least 2"});
 }
 
-TEST(Smote, RefusesNoNeighbours) {
+TEST(Smote, RefusesZeroNeighbours) {
   EXPECT_THROW(method_with("smote", "--neighbours 0"), cli::Refused);
   EXPECT_THROW(method_with("smote", "--neighbours 1.5"), cli::Refused);
 }

@@ -52,7 +52,7 @@ TEST(WithoutKnown, MakesEveryFaultClassFromHealthyWindowsAlone) {
   }
 }
 
-TEST(WithoutKnown, MakesTheSameWhereWindowsAreKnown) {
+TEST(WithoutKnown, DoesNotDependOnKnownWindows) {
   for (const std::string& name : methods) {
     const signal::WindowSet healthy = as_healthy(known_windows());
     const auto without = generate(name, model_of(name, no_known_window(), healthy), 3).samples;
@@ -60,14 +60,14 @@ TEST(WithoutKnown, MakesTheSameWhereWindowsAreKnown) {
   }
 }
 
-TEST(WithoutKnown, SaysWhatIsMissing) {
+TEST(WithoutKnown, NamesWhatIsMissing) {
   for (const std::string& name : methods) {
     artefact::Writer writer("model");
     EXPECT_ERROR(make_method(name)->train(known_windows(), Stream("train"), {},
                                           checkpoint_at("checkpoint"), writer),
                  Exit::usage, "give --healthy B.h5");
     EXPECT_ERROR(model_of(name, known_windows(), as_healthy(known_windows(128))), Exit::bad_input,
-                 "healthy windows have 128 samples, but those of C 64");
+                 "healthy windows have 128 samples, but known windows have 64");
     signal::WindowSet unknown = as_healthy(known_windows());
     unknown.info.shaft_speed_rpm = 0;
     EXPECT_ERROR(model_of(name, no_known_window(), unknown), Exit::bad_input,

@@ -33,7 +33,7 @@ std::size_t bars(const std::string& picture, const std::string& colour) {
 
 TEST(ClassificationPicture, HasATimeLineWithABarForEachWindow) {
   const std::string picture = drawn({judged("a.csv", {1, 0, 1, -1}, "OR")});
-  EXPECT_THAT(picture, HasSubstr(">a.csv (said to be OR): IR, 57 % sure<"));
+  EXPECT_THAT(picture, HasSubstr(">a.csv (described as OR): IR, 57 % sure<"));
   for (const std::string name : {"Normal", "IR", "OR", "unknown"}) {
     EXPECT_GE(times(picture, ">" + name + "<"), 1U) << name;
   }
@@ -44,14 +44,14 @@ TEST(ClassificationPicture, HasATimeLineWithABarForEachWindow) {
   EXPECT_TRUE(picture.ends_with("</svg>\n"));
 }
 
-TEST(ClassificationPicture, SaysWhatIsUnknown) {
+TEST(ClassificationPicture, ShowsUnknownRecordings) {
   const std::string picture = drawn({judged("a.csv", {-1, -1, 1})});
-  EXPECT_THAT(picture, HasSubstr(">a.csv: unknown, 67 % of its windows look like nothing that was "
-                                 "trained<"));
+  EXPECT_THAT(picture,
+              HasSubstr(">a.csv: unknown, 67 % of its windows differ from all trained classes<"));
 }
 
 // The legend and each row name the lines; those of the predicted fault are thick.
-TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfTheNamedFault) {
+TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfThePredictedFault) {
   Recording recording{.name = "struck",
                       .shaft_speed_rpm = 1800,
                       .true_class = "",
@@ -67,7 +67,7 @@ TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfTheNamedFault)
   EXPECT_EQ(times(drawn({verdict}), "stroke-width=\"2.4\""), 0U);
 }
 
-TEST(ClassificationPicture, DrawsNothingBesideItsPaper) {
+TEST(ClassificationPicture, DrawsNothingOutsideThePage) {
   const std::string picture = drawn({judged("a", std::vector<int>(40, 1)), judged("b", {0})});
   const std::regex place("(x|width)=\"([-0-9.]+)");
   std::size_t places = 0;

@@ -59,7 +59,7 @@ TEST_F(ClassificationRecord, HoldsEachRecordingAndEachWindow) {
   EXPECT_NEAR(reader().numbers<float>("/windows/probabilities", {6, 3}).values[1], 0.8, 1e-6);
 }
 
-TEST_F(ClassificationRecord, SaysWhatEachRecordingIsNamed) {
+TEST_F(ClassificationRecord, HasThePredictionOfEachRecording) {
   const std::vector<Named> named = read_named(reader());
   ASSERT_EQ(named.size(), 2U);
   EXPECT_EQ(named[0].recording, "a.csv");
@@ -67,7 +67,7 @@ TEST_F(ClassificationRecord, SaysWhatEachRecordingIsNamed) {
   EXPECT_EQ(named[1].fault, "unknown");
 }
 
-TEST_F(ClassificationRecord, RefusesWhatNoStageWrites) {
+TEST_F(ClassificationRecord, RefusesImpossibleContents) {
   expect_refused<Label>("/recordings/label", 3);
   expect_refused<Label>("/windows/label", -1);
   expect_refused<std::int32_t>("/windows/recording", 2);

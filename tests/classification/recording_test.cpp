@@ -19,7 +19,7 @@ Recording counting_recording(std::size_t samples) {
   return recording;
 }
 
-TEST(Windows, OfARecordingBeginAStepApartAndEndWithinIt) {
+TEST(Windows, StartOneStepApartAndEndWithinTheRecording) {
   const signal::WindowSet windows = windows_of(counting_recording(10), three_classes(), 4, 3);
   EXPECT_EQ(windows.length, 4U);
   EXPECT_THAT(windows.first_sample, ElementsAre(0, 3, 6));
@@ -30,19 +30,19 @@ TEST(Windows, OfARecordingBeginAStepApartAndEndWithinIt) {
   EXPECT_EQ(windows_of(counting_recording(4), three_classes(), 4, 4).size(), 1U);
 }
 
-TEST(Windows, NeedARecordingThatIsLongEnough) {
+TEST(Windows, NeedALongEnoughRecording) {
   EXPECT_ERROR(windows_of(counting_recording(5999), three_classes(), 6000, 6000), Exit::bad_input,
                "a.csv: has 5999 samples at 12000 Hz, but a window of the classifier has 6000; "
-               "record for longer");
+               "make a longer recording");
   EXPECT_ERROR(windows_of(counting_recording(1200), three_classes(), 6000, 6000), Exit::bad_input,
                "a.csv: has 1200 samples");
 }
 
-TEST(Windows, AreNotOfADeadChannel) {
+TEST(Windows, RefuseADeadChannel) {
   Recording recording = counting_recording(36000);
   std::fill(recording.signal.begin() + 12000, recording.signal.begin() + 24000, 5.0);
   EXPECT_ERROR(windows_of(recording, three_classes(), 6000, 6000), Exit::bad_input,
-               "a.csv: nothing moves from 1 to 1.5 s, a dead channel; cut that stretch out");
+               "a.csv: is constant from 1 to 1.5 s (a dead channel); cut that stretch out");
 }
 
 class LoneFiles : public testing::Test {
@@ -58,7 +58,7 @@ class LoneFiles : public testing::Test {
   const Folder folder_;
 };
 
-TEST_F(LoneFiles, AreReadAsTheyStand) {
+TEST_F(LoneFiles, AreReadUnchanged) {
   const Recording recording = read("a.csv", "1\n2.5\n-3\n");
   EXPECT_EQ(recording.name, "a.csv");
   EXPECT_EQ(recording.shaft_speed_rpm, 1790);
@@ -66,17 +66,17 @@ TEST_F(LoneFiles, AreReadAsTheyStand) {
   EXPECT_THAT(recording.signal, ElementsAre(1, 2.5, -3));
 }
 
-TEST_F(LoneFiles, ThatAreSampledFasterAreResampled) {
+TEST_F(LoneFiles, AreResampledFromAHigherRate) {
   std::string text;
   for (int i = 0; i < 4800; ++i) text += std::to_string(i % 7) + '\n';
   EXPECT_EQ(read("a.csv", text, 48000).signal.size(), 1200U);
 }
 
-TEST_F(LoneFiles, ThatDoNotFitAreNotRead) {
+TEST_F(LoneFiles, AreRefusedIfTheyDoNotFit) {
   EXPECT_ERROR(read("a.csv", "no number", 8000), Exit::bad_input, "is sampled at 8000 Hz");
 }
 
-TEST_F(LoneFiles, HaveSamplesThatAreNumbers) {
+TEST_F(LoneFiles, NeedFiniteSamples) {
   for (const std::string odd : {"nan", "inf", "1e39"}) {
     EXPECT_ERROR(read("a.csv", "1\n2\n" + odd + "\n4\n"), Exit::bad_input,
                  "a.csv: sample 2 (counted from 0) is NaN, infinite or beyond 32 bits");
@@ -84,11 +84,11 @@ TEST_F(LoneFiles, HaveSamplesThatAreNumbers) {
 }
 
 // The name is shown in tables, pictures and artefacts.
-TEST_F(LoneFiles, HaveNamesThatNoTerminalObeys) {
+TEST_F(LoneFiles, HaveNamesWithoutTerminalCommands) {
   EXPECT_EQ(read("a\x1B[2J.csv", "1\n2\n").name, "a?[2J.csv");
 }
 
-TEST(DescribedRecord, SaysWhatItIs) {
+TEST(DescribedRecord, HasTheDescribedClass) {
   signal::Record record;
   record.name = "IR-02";
   record.label = 1;
@@ -100,7 +100,7 @@ TEST(DescribedRecord, SaysWhatItIs) {
   EXPECT_EQ(recording.signal, record.signal);
   record.shaft_speed_rpm = 900;
   EXPECT_ERROR(recording_of(record, three_classes("other"), three_classes()), Exit::bad_input,
-               "record IR-02: is of 900 rpm");
+               "record IR-02: was recorded at 900 rpm");
 }
 
 }  // namespace

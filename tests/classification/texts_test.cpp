@@ -54,7 +54,7 @@ TEST(ClassificationTable, HasARowForEachRecording) {
                 "b.csv      unknown  no fault line     -      -     67 %        3"}));
 }
 
-TEST(ClassificationTable, SaysWhatSpeaksForIt) {
+TEST(ClassificationTable, ShowsTheEvidence) {
   const auto row = [](const Verdict& verdict) { return table_of({verdict}, three_classes()); };
   EXPECT_THAT(row(with_line(judged("a", {1}), 2, false)), HasSubstr("BPFI +2.0 dB, faint"));
   EXPECT_THAT(row(with_line(judged("a", {0}), 2, false)), HasSubstr("no fault line"));
@@ -64,20 +64,20 @@ TEST(ClassificationTable, SaysWhatSpeaksForIt) {
   EXPECT_THAT(row(judged("a", {1})), HasSubstr("too short for lines"));
 }
 
-TEST(ClassificationTable, SaysWhereNoBearingIsKnown) {
+TEST(ClassificationTable, ReportsAnUnknownBearing) {
   signal::DatasetInfo info = three_classes();
   info.has_bearing = false;
-  EXPECT_THAT(table_of({judged("a", {1})}, info), HasSubstr("IR     no bearing known"));
+  EXPECT_THAT(table_of({judged("a", {1})}, info), HasSubstr("IR     bearing unknown"));
 }
 
-TEST(ClassificationTable, ShowsWhatADescriptionSaysBesideIt) {
+TEST(ClassificationTable, ShowsTheDescribedClass) {
   const std::string table = table_of({judged("a", {1}, "OR"), judged("b", {1})}, three_classes());
   EXPECT_THAT(lines_of(table)[0], HasSubstr("recording  said  named"));
   EXPECT_THAT(lines_of(table)[1], HasSubstr("a          OR    IR "));
   EXPECT_THAT(lines_of(table)[2], HasSubstr("b                IR "));
 }
 
-TEST(ClassificationTable, FitsATerminalHoweverLongNamesAre) {
+TEST(ClassificationTable, FitsATerminalWithNamesOfAnyLength) {
   signal::DatasetInfo info = three_classes();
   for (const std::size_t length : {1U, 8U, 22U, 100U}) {
     for (signal::ClassInfo& each : info.classes) each.name = std::string(length, 'c');

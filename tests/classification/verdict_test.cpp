@@ -25,7 +25,7 @@ TEST(Verdict, IsTheClassOfTheGreatestMeanProbability) {
 }
 
 // A tone resembles nothing in the training set, so its class does not count.
-TEST(Verdict, IsOfTheWindowsThatAreKnown) {
+TEST(Verdict, UsesWindowsThatAreNotUnknown) {
   const Verdict verdict = judged("a", {-1, 2, 2, -1});
   EXPECT_TRUE(verdict.is_unknown(0));
   EXPECT_FALSE(verdict.is_unknown(1));
@@ -35,7 +35,7 @@ TEST(Verdict, IsOfTheWindowsThatAreKnown) {
   EXPECT_NEAR(verdict.probability, 0.8, 1e-6);
 }
 
-TEST(Verdict, IsUnknownWhereMoreThanHalfIs) {
+TEST(Verdict, IsUnknownIfMoreThanHalfOfTheWindowsAre) {
   const Verdict verdict = judged("a", {-1, 2, -1});
   EXPECT_TRUE(verdict.unknown);
   EXPECT_EQ(verdict.label, 2);
@@ -46,7 +46,7 @@ TEST(Verdict, IsUnknownWhereMoreThanHalfIs) {
   EXPECT_NEAR(all.probability, 0.8, 1e-6);
 }
 
-TEST(Verdict, HasAWindowEachStep) {
+TEST(Verdict, HasAWindowAtEachStep) {
   diagnosis::KeptClassifier classifier = classifier_of_toys();
   const Verdict verdict = judge(recording_of_windows("a", {0, 0}), classifier, 300);
   ASSERT_EQ(verdict.start_s.size(), 4U);  // at 0, 300, 600 and 900 of 2048
@@ -54,7 +54,7 @@ TEST(Verdict, HasAWindowEachStep) {
 }
 
 // n/2 (1 - d/D) at 30 Hz, for CWRU's bearing.
-TEST(Verdict, HasTheLinesOfTheSpeedOfTheRecording) {
+TEST(Verdict, HasTheLinesAtTheSpeedOfTheRecording) {
   Recording recording = recording_of_windows("a", std::vector<int>(20, 0));
   recording.shaft_speed_rpm = 900;
   diagnosis::KeptClassifier classifier = classifier_of_toys();

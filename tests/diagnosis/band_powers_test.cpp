@@ -23,7 +23,7 @@ signal::WindowSet one_window(const std::vector<float>& samples) {
 }
 
 // Four of the 512 bins above the offset make a band: the 102nd bin is in the 26th band.
-TEST(BandPowers, OfAToneAreHighestWhereItIs) {
+TEST(BandPowers, ToneGivesHighestBandAtItsFrequency) {
   std::vector<float> tone;
   for (int t = 0; t < 1024; ++t) {
     tone.push_back(static_cast<float>(std::sin(2 * std::numbers::pi * 102 * t / 1024)));
@@ -38,7 +38,7 @@ TEST(BandPowers, OfAToneAreHighestWhereItIs) {
 
 // The spectrum of an impulse is flat. Its removed mean changes only the first bins under Hann's
 // window, so all other bands are the same, as far above the mean as the first is below.
-TEST(BandPowers, OfAnImpulseAreFlatAndWithoutTheirMean) {
+TEST(BandPowers, ImpulseGivesFlatBandsWithZeroMean) {
   std::vector<float> impulse(1024);
   impulse[300] = 5;
   const BandPowers bands = band_powers(one_window(impulse));
@@ -47,7 +47,7 @@ TEST(BandPowers, OfAnImpulseAreFlatAndWithoutTheirMean) {
   EXPECT_NEAR(bands(0, 0), -127 * bands(0, 1), 1e-6);
 }
 
-TEST(BandPowers, DoNotTellLevelAndOffset) {
+TEST(BandPowers, IgnoreLevelAndOffset) {
   Stream stream("bands");
   std::vector<float> low_level(1024);
   for (float& sample : low_level) sample = static_cast<float>(stream.normal(0, 1));
@@ -58,7 +58,7 @@ TEST(BandPowers, DoNotTellLevelAndOffset) {
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-3);
 }
 
-TEST(BandPowers, NeedTwoBinsABand) {
+TEST(BandPowers, NeedTwoBinsPerBand) {
   EXPECT_EQ(band_powers(one_window(std::vector<float>(256, 1.0F))).rows(), 1);
   EXPECT_ERROR(band_powers(one_window(std::vector<float>(255, 1.0F))), Exit::bad_input,
                "windows of 255 samples: 128 bands need 256 samples or more");
@@ -71,7 +71,7 @@ BandPowers random_bands(Eigen::Index rows, const std::string& stream_name) {
   return bands;
 }
 
-TEST(Neighbours, AreAsFarAsTheSumOfSquaresSays) {
+TEST(Neighbours, DistanceIsTheSumOfSquares) {
   const BandPowers known = random_bands(5, "known");
   const BandPowers tested = random_bands(3, "asked");
   const Neighbours neighbours(known);
@@ -90,7 +90,7 @@ TEST(Neighbours, AreAsFarAsTheSumOfSquaresSays) {
   }
 }
 
-TEST(Neighbours, AreNeverNearerThanNothing) {
+TEST(Neighbours, DistanceIsNeverNegative) {
   const BandPowers known = random_bands(20, "known");
   const Eigen::MatrixXd squares = Neighbours(known).squared_distances(known);
   EXPECT_GE(squares.minCoeff(), 0);
@@ -113,7 +113,7 @@ class StoredBands : public testing::Test {
   BandPowers bands_{2, number_of_bands};
 };
 
-TEST_F(StoredBands, ComeBackAsTheyWere) {
+TEST_F(StoredBands, AreReadAsWritten) {
   artefact::Writer writer("bands");
   write_bands(writer, "/some", bands_, {2, 0});
   const artefact::Reader reader = stored(writer, folder_);
@@ -122,10 +122,10 @@ TEST_F(StoredBands, ComeBackAsTheyWere) {
   EXPECT_ERROR(read_bands(reader, "/some", 3), Exit::bad_input, "/some/bands");
 }
 
-TEST_F(StoredBands, HaveALabelOfAClassEach) {
+TEST_F(StoredBands, NeedAValidLabelEach) {
   for (const Label none : {-1, 3}) {
     EXPECT_ERROR(read_labels(with_labels({0, none}), "/some", three_classes()), Exit::bad_input,
-                 "/some/labels has a label that no class has");
+                 "/some/labels has a label without a class");
   }
   EXPECT_ERROR(read_labels(with_labels({}), "/some", three_classes()), Exit::bad_input,
                "/some/labels is empty");

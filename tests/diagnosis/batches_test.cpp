@@ -13,7 +13,7 @@ TEST(BatchBounds, CoverAllWindows) {
   EXPECT_EQ(batch_bounds(10, 32), (Bounds{0, 10}));
 }
 
-TEST(BatchBounds, NoBatchIsOneWindow) {
+TEST(BatchBounds, NoBatchHasOnlyOneWindow) {
   EXPECT_EQ(batch_bounds(97, 32), (Bounds{0, 32, 64, 97}));
   EXPECT_EQ(batch_bounds(545, 32).size(), 18U);  // 500 + 45 windows: the last of 17 batches has 33
   EXPECT_EQ(batch_bounds(2, 2), (Bounds{0, 2}));

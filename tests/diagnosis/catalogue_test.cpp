@@ -13,13 +13,13 @@
 namespace piae::diagnosis {
 namespace {
 
-TEST(Classifiers, AreThePapersFirstAndTheBarAmongThem) {
+TEST(Classifiers, StartWithThePapersAndIncludeTheBaseline) {
   EXPECT_STREQ(classifiers().front().name, scoring::paper_classifier);
   EXPECT_NE(find_classifier(reference_classifier), nullptr);
 }
 
 // Names are folders next to those of ratios, words of make, and lines of tables.
-TEST(Classifiers, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
+TEST(Classifiers, HaveUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const scoring::Ratio& ratio : scoring::all_ratios()) names.insert(ratio.name);
   for (const Classifier& each : classifiers()) {
@@ -30,7 +30,7 @@ TEST(Classifiers, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
   }
 }
 
-TEST(Classifiers, AreTrainedButForTheNearestNeighbourAndTheRules) {
+TEST(Classifiers, AreTrainedExceptNearestAndTheRules) {
   for (const Classifier& each : classifiers()) {
     const bool is_rule = std::string(each.name).ends_with("-rule");
     EXPECT_EQ(each.rule, is_rule) << each.name;
@@ -39,7 +39,7 @@ TEST(Classifiers, AreTrainedButForTheNearestNeighbourAndTheRules) {
   }
 }
 
-TEST(Classifiers, EachAreAskedInOneWay) {
+TEST(Classifiers, HaveExactlyOneWayToPredict) {
   for (const Classifier& each : classifiers()) {
     EXPECT_NE(each.represent == nullptr, each.learn == nullptr) << each.name;
     EXPECT_EQ(each.learn == nullptr, each.read == nullptr) << each.name;
@@ -52,7 +52,7 @@ TEST(Classifiers, AreFoundByName) {
   EXPECT_EQ(find_classifier("wdcnn-"), nullptr);
   EXPECT_STREQ(the_classifier("nearest").name, "nearest");
   EXPECT_ERROR(the_classifier("svm"), Exit::usage,
-               "unknown classifier 'svm'; known are wdcnn, wdcnn-spectrum, wdcnn-envelope, "
+               "unknown classifier 'svm'; known: wdcnn, wdcnn-spectrum, wdcnn-envelope, "
                "wdcnn-spectra, nearest, envelope-rule, exclusion-rule, symptom-net");
 }
 

@@ -39,7 +39,7 @@ Task task_of(const std::string& classifier, bool keep_features = false) {
           .keep_features = keep_features};
 }
 
-TEST(ADiagnosis, IsWrittenWithWhatItLearnedFrom) {
+TEST(ADiagnosis, StoresWhatItLearnedFrom) {
   Diagnosis diagnosis(task_of("nearest"), inputs_of_tones(), "C.h5");
   EXPECT_EQ(diagnosis.epochs(true), 0U);
   diagnosis.learn();
@@ -60,9 +60,9 @@ TEST(ADiagnosis, IsWrittenWithWhatItLearnedFrom) {
   EXPECT_EQ(record.train_windows_per_second, std::nullopt);
 }
 
-TEST(ADiagnosis, RefusesWhatItsClassifierDoesNotHave) {
+TEST(ADiagnosis, RefusesOptionsThatItsClassifierDoesNotSupport) {
   EXPECT_ERROR(Diagnosis(task_of("nearest", true), inputs_of_tones(), "C.h5"), Exit::usage,
-               "--keep-features: nearest has no layers");
+               "--keep-features: nearest does not have layers");
   Inputs inputs = inputs_of_tones();
   inputs.generated = tones_of({1, 2}, 5, "generated");
   EXPECT_ERROR(Diagnosis(task_of("envelope-rule"), inputs, "C.h5"), Exit::usage,

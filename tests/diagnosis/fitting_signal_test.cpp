@@ -9,28 +9,28 @@ namespace piae::diagnosis {
 namespace {
 
 // Trained at 12 kHz and 1800 rpm.
-TEST(FittingSignal, IsSampledAtLeastAsFast) {
+TEST(FittingSignal, NeedsAtLeastTheTrainedSampleRate) {
   EXPECT_NO_THROW(require_fitting_signal(three_classes(), 12000, 1800, "a.csv"));
   EXPECT_NO_THROW(require_fitting_signal(three_classes(), 48000, 1800, "a.csv"));
   EXPECT_ERROR(require_fitting_signal(three_classes(), 11999, 1800, "a.csv"), Exit::bad_input,
                "a.csv: is sampled at 11999 Hz, but the classifier was trained at 12000 Hz; record "
-               "at that rate or above, or train a classifier at this one");
+               "at that rate or a higher one, or train a classifier at this rate");
 }
 
-TEST(FittingSignal, IsWithinFivePercentOfTheSpeed) {
+TEST(FittingSignal, NeedsASpeedWithinFivePercent) {
   for (const double rpm : {1711.0, 1889.0}) {
     EXPECT_NO_THROW(require_fitting_signal(three_classes(), 12000, rpm, "a.csv")) << rpm;
   }
   for (const double rpm : {1709.0, 1891.0}) {
     EXPECT_ERROR(require_fitting_signal(three_classes(), 12000, rpm, "a.csv"), Exit::bad_input,
-                 "but the classifier was trained at 1800 rpm and judges up to 5 % beside that");
+                 "but the classifier was trained at 1800 rpm and allows a deviation of 5 %");
   }
   EXPECT_ERROR(require_fitting_signal(three_classes(), 12000, 900, "a.csv"), Exit::bad_input,
-               "a.csv: is of 900 rpm");
+               "a.csv: was recorded at 900 rpm");
 }
 
 // Faults are known at 900 rpm and generated for 1200; at 600 rpm only healthy windows are known.
-TEST(FittingSignal, IsNearOneOfTheSpeedsOfFaults) {
+TEST(FittingSignal, NeedsASpeedNearOneOfTheTrainedFaults) {
   signal::DatasetInfo info = three_classes();
   info.conditions = {{.name = "fast", .shaft_speed_rpm = 1200, .known = false},
                      {.name = "slow", .shaft_speed_rpm = 900, .test = false},

@@ -47,7 +47,7 @@ class FoldsOfToys : public testing::Test {
   WindowSet generated_ = empty_set(4);
 };
 
-TEST_F(FoldsOfToys, CutHealthyWindowsByTimeAndDealOutTheKnownOnes) {
+TEST_F(FoldsOfToys, CutHealthyWindowsByTimeAndDealKnownOnesInTurn) {
   const Folds cut = folds();
   EXPECT_THAT(cut.tested, ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4,  // B
                                       0, 1, 2, 3, 4, 0, 1,           // C, class 1
@@ -59,7 +59,7 @@ TEST_F(FoldsOfToys, CutHealthyWindowsByTimeAndDealOutTheKnownOnes) {
 }
 
 // Two recordings: the second begins when the first ends, whatever the order of the windows.
-TEST_F(FoldsOfToys, BlocksAreOfTheTimeNotOfTheOrder) {
+TEST_F(FoldsOfToys, BlocksFollowTimeNotOrder) {
   normal_.record_names = {"a", "b"};
   normal_.record = {1, 1, 1, 1, 1, 0, 0, 0, 0, 0};
   normal_.first_sample = {40, 30, 20, 10, 0, 0, 10, 20, 30, 40};
@@ -74,7 +74,7 @@ TEST_F(FoldsOfToys, BlocksDifferByOneWindowAtMost) {
 
 // Classes alternate in E, and the first three windows of each are trained on; these were made of
 // the following known windows.
-TEST_F(FoldsOfToys, NoWindowIsAskedAboutWhereOneMadeOfItIsTrainedOn) {
+TEST_F(FoldsOfToys, GeneratedWindowIsNotTrainedWhereItsParentIsTested) {
   generated_.parents = {{7, 8}, {0}, {9, 7}, {5, 6}, {12}, {3, 1}, {8}, {2}};
   const Folds cut = folds(true);
   const WindowSet& generated = generated_;
@@ -94,7 +94,7 @@ TEST_F(FoldsOfToys, NoWindowIsAskedAboutWhereOneMadeOfItIsTrainedOn) {
   EXPECT_TRUE(cut.possible);
 }
 
-TEST_F(FoldsOfToys, OneThatDoesNotSayItsParentsIsTrainedOnInAll) {
+TEST_F(FoldsOfToys, WindowWithoutParentsIsInEveryTrainingSet) {
   const Folds cut = folds(true);
   for (std::size_t i = 23; i < 29; ++i) {
     EXPECT_THAT(left_out_in(cut, i), ElementsAre());
@@ -102,7 +102,7 @@ TEST_F(FoldsOfToys, OneThatDoesNotSayItsParentsIsTrainedOnInAll) {
   }
 }
 
-TEST_F(FoldsOfToys, WhereNothingIsKnownTheGeneratedOnesAreAskedAbout) {
+TEST_F(FoldsOfToys, WithoutKnownWindowsGeneratedOnesAreTested) {
   known_ = empty_set(4);
   const Folds cut = folds(true);
   EXPECT_THAT(std::vector(cut.tested.begin() + 10, cut.tested.end()),
@@ -110,7 +110,7 @@ TEST_F(FoldsOfToys, WhereNothingIsKnownTheGeneratedOnesAreAskedAbout) {
   EXPECT_TRUE(cut.possible);
 }
 
-TEST_F(FoldsOfToys, AreNotPossibleWhereAClassHasOneWindowAlone) {
+TEST_F(FoldsOfToys, NeedTwoWindowsOfEachClass) {
   known_ = empty_set(4);
   add(known_, 1, 5, 200);
   add(known_, 2, 1, 300);
@@ -118,15 +118,15 @@ TEST_F(FoldsOfToys, AreNotPossibleWhereAClassHasOneWindowAlone) {
   EXPECT_TRUE(folds(true).possible);  // one generated window without parents remains
 }
 
-TEST_F(FoldsOfToys, AreNotPossibleWhereNoFaultIsThere) {
+TEST_F(FoldsOfToys, NeedAFaultWindow) {
   known_ = empty_set(4);
   EXPECT_FALSE(folds().possible);
 }
 
-TEST_F(FoldsOfToys, AreOfOneSplit) {
+TEST_F(FoldsOfToys, NeedFilesOfOneSplit) {
   generated_.parents = {{7}, {0}, {9}, {13}, {12}, {3}, {8}, {2}};
   EXPECT_ERROR(folds(true), Exit::bad_input,
-               "--generated: says that a window was made of known window 13, but --known holds 13");
+               "--generated: a window was made from known window 13, but --known holds 13 windows");
 }
 
 }  // namespace

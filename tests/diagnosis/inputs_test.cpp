@@ -75,7 +75,7 @@ void expect_refused(const std::string& part, const File& test, const File& norma
   }
 }
 
-TEST(Inputs, OfOneRepeatAreReadEachInItsPlace) {
+TEST(Inputs, ReadsTheFilesOfOneRepeat) {
   const artefact::Reader generated = written(e);
   const Inputs inputs = read_inputs(written(a), written(b), written(c), &generated);
   EXPECT_EQ(inputs.method, "piae-dt");
@@ -92,7 +92,7 @@ TEST(Inputs, WithoutGeneratedWindowsTheMethodIsNone) {
   EXPECT_FALSE(inputs.generated.has_value());
 }
 
-TEST(Inputs, RefusesFilesInEachOthersPlace) {
+TEST(Inputs, RefusesSwappedFiles) {
   expect_refused("has role B, but must have role A", b, b, c, e);
   expect_refused("has role A, but must have role C", a, b, a, e);
   expect_refused("has role C, but must have role E", a, b, c, c);

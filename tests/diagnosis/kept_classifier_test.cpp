@@ -83,7 +83,7 @@ void expect_almost(const std::vector<float>& all, const std::vector<float>& expe
 }
 
 // New classifiers of the catalogue must be storable, too.
-TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
+TEST_F(Keep, EveryStoredClassifierPredictsTheSame) {
   for (const Classifier& classifier : classifiers()) {
     SCOPED_TRACE(classifier.name);
     KeptClassifier before = kept(classifier.name);
@@ -107,7 +107,7 @@ TEST_F(Keep, EveryClassifierComesBackWithTheSameAnswers) {
   }
 }
 
-TEST_F(Keep, WhatItIsAndHowItCameToBeComesBack) {
+TEST_F(Keep, StoresKindAndOrigin) {
   const KeptClassifier before = kept("nearest");
   const KeptClassifier after(written(before));
   EXPECT_EQ(after.info().name, "toy");
@@ -124,7 +124,7 @@ TEST_F(Keep, WhatItIsAndHowItCameToBeComesBack) {
   EXPECT_EQ(after.origin().training_digest.size(), 64U);
 }
 
-TEST_F(Keep, TheDigestIsThatOfTheTrainingWindows) {
+TEST_F(Keep, StoresTheDigestOfTheTrainingWindows) {
   const std::string digest = kept("nearest").origin().training_digest;
   EXPECT_EQ(kept("envelope-rule").origin().training_digest, digest);
   known_.samples[17] += 1;
@@ -135,7 +135,7 @@ TEST_F(Keep, TheDigestIsThatOfTheTrainingWindows) {
 }
 
 // The expected values are exp(logits / temperature), by hand.
-TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
+TEST_F(Keep, ProbabilitiesUseTheTemperature) {
   KeptClassifier classifier = kept("envelope-rule");
   const double temperature = classifier.calibration().temperature;
   EXPECT_NE(temperature, 1);
@@ -152,7 +152,7 @@ TEST_F(Keep, ProbabilitiesAreThoseOfTheTemperature) {
 }
 
 // Each fold trains its own classifier with its own random numbers; none of these is kept.
-TEST_F(Keep, TrainsOnceMoreForEachFold) {
+TEST_F(Keep, TrainsAgainForEachFold) {
   std::int64_t epochs = 0;
   const KeptClassifier classifier =
       kept("symptom-net", 0, [&](std::int64_t /*done*/, double /*loss*/) { ++epochs; });
@@ -160,7 +160,7 @@ TEST_F(Keep, TrainsOnceMoreForEachFold) {
   EXPECT_EQ(trainings_to_keep(training(), lessons()), 5);
 }
 
-TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
+TEST_F(Keep, TemperatureIsOneIfNothingCanBeLeftOut) {
   known_ = no_impact_windows();
   Stream stream("one");
   for (const Label label : {1, 2}) add_impact_windows(known_, label, 1, stream);
@@ -171,7 +171,7 @@ TEST_F(Keep, WhereNothingCanBeLeftOutTheTemperatureIsOne) {
 }
 
 // Nine healthy windows suffice for a rule, but not after two of them are left out.
-TEST_F(Keep, WhereTooFewHealthyWindowsWouldBeLeftTheTemperatureIsOne) {
+TEST_F(Keep, TemperatureIsOneWithTooFewHealthyWindows) {
   normal_ = no_impact_windows();
   Stream stream("nine");
   add_impact_windows(normal_, 0, 9, stream);
@@ -182,13 +182,13 @@ TEST_F(Keep, WhereTooFewHealthyWindowsWouldBeLeftTheTemperatureIsOne) {
   EXPECT_EQ(kept("envelope-rule").calibration().windows, 20);
 }
 
-TEST_F(Keep, StrangenessRefersToRealWindows) {
+TEST_F(Keep, NoveltyRefersToRealWindows) {
   EXPECT_EQ(reference_of(kept("nearest")), 30U);
   EXPECT_EQ(reference_of(kept("nearest", 5)), 30U);
   EXPECT_EQ(kept("nearest", 5).origin().training_windows, 40);
 }
 
-TEST_F(Keep, WhereNoneIsKnownNothingIsStrange) {
+TEST_F(Keep, NoveltyIsUnavailableWithoutKnownFaults) {
   known_ = no_impact_windows();
   KeptClassifier nearest = kept("nearest", 5);
   EXPECT_FALSE(nearest.novelty());
@@ -196,7 +196,7 @@ TEST_F(Keep, WhereNoneIsKnownNothingIsStrange) {
   EXPECT_FALSE(kept("exclusion-rule").novelty());
 }
 
-TEST_F(Keep, WhereFaultsAreKnownElsewhereNothingIsStrange) {
+TEST_F(Keep, NoveltyIsUnavailableForFaultsOfOtherConditions) {
   for (WindowSet* set : {&normal_, &known_, &generated_, &tested_}) {
     set->info.conditions = {{.name = "slow", .shaft_speed_rpm = 1800, .test = false},
                             {.name = "fast", .shaft_speed_rpm = 1800, .known = false}};
@@ -207,7 +207,7 @@ TEST_F(Keep, WhereFaultsAreKnownElsewhereNothingIsStrange) {
 }
 
 // These files are whole; only their content is wrong.
-TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
+TEST_F(Keep, RefusesAClassifierThatCannotPredict) {
   const std::string file = folder_ / "stored.h5";
   const auto expect_refused = [&](const std::string& name, const std::string& what,
                                   const std::function<void(hid_t)>& change) {
@@ -220,19 +220,20 @@ TEST_F(Keep, OneThatCannotBeAskedIsRefused) {
     return [=](hid_t open) { stages::replace_attribute(open, "/", "window_length", samples); };
   };
   for (const std::string name : {"wdcnn", "wdcnn-spectrum"}) {
-    expect_refused(name, "cannot be asked about a window: WDCNN: ", length(2048));
+    expect_refused(name, "cannot classify a window: WDCNN: ", length(2048));
   }
   // Half a turn of the shaft cannot separate the lines, and 255 samples do not give 128 bands.
-  expect_refused("envelope-rule", "cannot be asked about a window: ", length(200));
-  expect_refused("nearest", "cannot be asked about a window: windows of 255 samples", length(255));
+  expect_refused("envelope-rule", "cannot classify a window: ", length(200));
+  expect_refused("nearest", "cannot classify a window: windows of 255 samples", length(255));
   const auto weights = [](const std::string& path) {
     return [=](hid_t open) {
       stages::change_numbers<float>(open, path, [](auto& all) { std::ranges::fill(all, 3e38F); });
     };
   };
-  expect_refused("wdcnn", "cannot be asked about a window: WDCNN: what it makes of a window is not",
+  expect_refused("wdcnn",
+                 "cannot classify a window: WDCNN: the outputs for a window are not finite",
                  weights("/learned/conv1/weight"));
-  expect_refused("symptom-net", "has no finite answer to a window",
+  expect_refused("symptom-net", "gives NaN or infinite outputs for a window",
                  weights("/learned/classes/0/weight"));
 }
 

@@ -44,23 +44,23 @@ class Learn : public testing::Test {
   const signal::WindowSet test_ = recorded_tones(5, "test");
 };
 
-TEST_F(Learn, ThePapersIsItsNetworkWithItsRandomNumbers) {
+TEST_F(Learn, PapersClassifierKeepsItsStream) {
   EXPECT_EQ(scores_by("wdcnn"), alone("wdcnn", Stream("toy")));
 }
 
-TEST_F(Learn, AnotherHasRandomNumbersOfItsOwn) {
+TEST_F(Learn, OtherClassifiersHaveTheirOwnStream) {
   EXPECT_EQ(scores_by("wdcnn-spectrum"),
             alone("wdcnn-spectrum", Stream("toy").child("wdcnn-spectrum")));
 }
 
-TEST_F(Learn, TheNearestNeighbourIsAskedWithoutATraining) {
+TEST_F(Learn, NearestPredictsWithoutTraining) {
   const Learned nearest = by("nearest");
   EXPECT_EQ(most_likely(nearest.trained->outputs(test_, "").scores, 3), test_.labels);
   EXPECT_TRUE(nearest.training.loss.empty());
   EXPECT_EQ(nearest.training.seconds, 0);
 }
 
-TEST_F(Learn, OnlyWdcnnHasTheEpochsOfTheOptions) {
+TEST_F(Learn, OnlyWdcnnUsesTheEpochsOption) {
   EXPECT_EQ(epochs_of(the_classifier("wdcnn-envelope"), {.epochs = 3}), 3);
   EXPECT_EQ(epochs_of(the_classifier("symptom-net"), {.epochs = 3}), 60);
   EXPECT_EQ(epochs_of(the_classifier("exclusion-rule"), {.epochs = 3}), 0);

@@ -37,7 +37,7 @@ class Listening final : public Trained {
   std::set<float>& tested_;
 };
 
-TEST(LeftOut, IsAskedAboutOnceByOneThatWasNotTrainedOnIt) {
+TEST(LeftOut, EachWindowIsTestedOnceByAClassifierNotTrainedOnIt) {
   WindowSet training = empty_set(4);
   add(training, 0, 3, 100);
   add(training, 1, 2, 200);

@@ -26,7 +26,7 @@ std::string named(const signal::DatasetInfo& info, const Findings& findings, Rul
   return info.classes[static_cast<std::size_t>(std::ranges::max_element(all) - all.begin())].name;
 }
 
-TEST(Evidence, IsTheExcessOfEachKindAndFiveForHealthy) {
+TEST(Evidence, IsTheExcessOfEachFaultTypeAndFiveForHealthy) {
   const Findings findings{.excesses = {1, 2, 3}, .novelty = 0.5};  // inner, ball, outer
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
     EXPECT_EQ(evidence(four_types(), findings, rule), (std::vector<float>{3, 5, 2, 1}));
@@ -34,7 +34,7 @@ TEST(Evidence, IsTheExcessOfEachKindAndFiveForHealthy) {
   }
 }
 
-TEST(Evidence, OfALineAboveFiveNamesItsKindHoweverNew) {
+TEST(Evidence, LineAboveFivePredictsItsTypeWhateverTheNovelty) {
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
     for (const double novelty : {0.1, 9.0}) {
       EXPECT_EQ(named(four_types(), {{5.1, 1, 4}, novelty}, rule), "inner");
@@ -45,7 +45,7 @@ TEST(Evidence, OfALineAboveFiveNamesItsKindHoweverNew) {
   }
 }
 
-TEST(Evidence, OfWhatIsNewWithoutALineIsABallByExclusionAlone) {
+TEST(Evidence, NoveltyWithoutALineIsABallForExclusionOnly) {
   const Findings findings{.excesses = {1, 2, 4}, .novelty = 1.5};
   EXPECT_EQ(named(four_types(), findings, Rule::envelope), "Normal");
   EXPECT_EQ(evidence(four_types(), findings, Rule::exclusion), (std::vector<float>{4, 5, 7.5, 1}));
@@ -54,7 +54,7 @@ TEST(Evidence, OfWhatIsNewWithoutALineIsABallByExclusionAlone) {
 }
 
 // A line without a class does not count.
-TEST(Evidence, OfAKindWithoutAClassDoesNotCount) {
+TEST(Evidence, IgnoresTypesWithoutAClass) {
   EXPECT_EQ(named(three_classes(), {{1, 50, 2}, 0.5}, Rule::envelope), "Normal");
 }
 
@@ -78,7 +78,7 @@ class Rules : public testing::Test {
   signal::WindowSet test_ = no_impact_windows();
 };
 
-TEST_F(Rules, NameTheKindThatIsStruck) {
+TEST_F(Rules, PredictTheDefectiveElement) {
   for (const Rule rule : {Rule::envelope, Rule::exclusion}) {
     EXPECT_EQ(named_by_rule(normal_, test_, rule), test_.labels);
   }
@@ -97,7 +97,7 @@ TEST_F(Rules, ScoreByTheSoftmaxOfTheEvidence) {
   EXPECT_GT(answer.scores[3 * 10 + 1], 0.999);  // inner, by many
 }
 
-TEST_F(Rules, DoNotCareHowLoudAWindowIs) {
+TEST_F(Rules, IgnoreTheLevelOfAWindow) {
   for (float& sample : test_.samples) sample = 20 * sample + 3;
   EXPECT_EQ(named_by_rule(normal_, test_, Rule::exclusion), test_.labels);
 }
@@ -107,7 +107,7 @@ void make_duller(signal::WindowSet& set) {
   for (std::size_t i = set.samples.size() - 1; i > 0; --i) set.samples[i] += set.samples[i - 1] / 2;
 }
 
-TEST_F(Rules, OfExclusionSeeAChangeWithoutALine) {
+TEST_F(Rules, ExclusionDetectsAChangeWithoutALine) {
   Stream stream("changed");
   signal::WindowSet changed = no_impact_windows();
   add_impact_windows(changed, 0, 10, stream);
@@ -141,13 +141,13 @@ TEST_F(Rules, CompareWindowsOfOneSpeed) {
 TEST_F(Rules, NeedFaultsOfTheBearing) {
   normal_.info.classes[2].defect = signal::Defect::other;
   EXPECT_ERROR(named_by_rule(normal_, test_, Rule::exclusion), Exit::bad_input,
-               "class OR of dataset toy has defect 'other', which has no fault line");
+               "class OR of dataset toy has defect 'other', which does not have a fault line");
 }
 
-TEST_F(Rules, NeedOneClassAKind) {
+TEST_F(Rules, NeedOneClassPerFaultType) {
   normal_.info.classes[2].defect = signal::Defect::inner;
   EXPECT_ERROR(named_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,
-               "dataset toy has several classes of one kind, IR and OR");
+               "dataset toy has several classes of one type, IR and OR");
 }
 
 }  // namespace

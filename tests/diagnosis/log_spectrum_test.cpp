@@ -22,7 +22,7 @@ scoring::Windows sine(Index length, double cycles, double amplitude) {
 }
 
 // Bands are half a cycle per window apart, starting at half a cycle: 100 cycles are band 199.
-TEST(LogSpectrum, OfASineIsItsAmplitudeAtItsFrequency) {
+TEST(LogSpectrum, SineShowsItsAmplitudeAtItsFrequency) {
   const Eigen::ArrayXd bands = log_spectrum(sine(1024, 100, 0.25), 1024, 1e-9);
   ASSERT_EQ(bands.size(), 1024);
   Index highest = 0;
@@ -33,7 +33,7 @@ TEST(LogSpectrum, OfASineIsItsAmplitudeAtItsFrequency) {
   EXPECT_NEAR(bands[203], std::log(1e-9), 1e-9);
 }
 
-TEST(LogSpectrum, HasAsManyBandsAsAskedForOrMore) {
+TEST(LogSpectrum, HasAtLeastTheRequestedBands) {
   EXPECT_EQ(log_spectrum(sine(1024, 100, 1), 512, 1e-9).size(), 512);
   EXPECT_EQ(log_spectrum(sine(512, 100, 1), 1024, 1e-9).size(), 1024);
   EXPECT_EQ(log_spectrum(sine(8192, 100, 1), 8192, 1e-9).size(), 8192);
@@ -65,13 +65,13 @@ TEST(LogSpectrum, HoldsTheEnergyOfTheTaperedWindow) {
   EXPECT_NEAR(2 * power.sum() - last + sum * sum, 2 * length * energy, 1e-6 * 2 * length * energy);
 }
 
-TEST(LogSpectrum, OfSilenceIsTheFloor) {
+TEST(LogSpectrum, SilenceGivesTheFloor) {
   const Eigen::ArrayXd bands = log_spectrum(sine(1024, 100, 0), 1024, 0.5);
   EXPECT_EQ(bands.minCoeff(), std::log(0.5));
   EXPECT_EQ(bands.maxCoeff(), std::log(0.5));
 }
 
-TEST(RootMeanSquare, IsAboutTheMean) {
+TEST(RootMeanSquare, RemovesTheMean) {
   EXPECT_NEAR(root_mean_square(sine(1024, 100, 3)), 3 / std::numbers::sqrt2, 1e-12);
 }
 
@@ -88,7 +88,7 @@ scoring::Windows modulated(double depth) {
 }
 
 // The carrier has no line; the line of its modulation has the modulation's amplitude.
-TEST(LogEnvelopeSpectrum, OfAModulatedCarrierIsItsModulation) {
+TEST(LogEnvelopeSpectrum, ShowsTheModulationOfACarrier) {
   const Eigen::ArrayXd bands = log_envelope_spectrum(modulated(0.3), 1024, 1e-6);
   ASSERT_EQ(bands.size(), 1024);
   Index highest = 0;
@@ -97,7 +97,7 @@ TEST(LogEnvelopeSpectrum, OfAModulatedCarrierIsItsModulation) {
   EXPECT_NEAR(bands[399], std::log(1e-6), 1e-9);
 }
 
-TEST(LogEnvelopeSpectrum, OfASteadyCarrierIsTheFloor) {
+TEST(LogEnvelopeSpectrum, SteadyCarrierGivesTheFloor) {
   const Eigen::ArrayXd bands = log_envelope_spectrum(modulated(0), 512, 1e-6);
   ASSERT_EQ(bands.size(), 512);
   EXPECT_EQ(bands.maxCoeff(), std::log(1e-6));

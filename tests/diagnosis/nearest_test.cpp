@@ -36,25 +36,25 @@ std::vector<Label> named_by(const signal::WindowSet& training, const signal::Win
   return most_likely(Nearest(training).outputs(test, "--test").scores, 3);
 }
 
-TEST(Nearest, TellsSpectraApartWhateverTheAngleAndTheLevel) {
+TEST(Nearest, DistinguishesSpectraAtAnyAngleAndLevel) {
   const signal::WindowSet test = ringing("test", 20);
   EXPECT_EQ(named_by(ringing("training", 1), test), test.labels);
 }
 
-TEST(Nearest, OfAWindowThatIsAmongThemIsThatWindow) {
+TEST(Nearest, FindsATrainingWindowItself) {
   signal::WindowSet training = ringing("training", 4);
   for (std::size_t i = 0; i < training.size(); ++i) training.labels[i] = static_cast<Label>(i % 3);
   EXPECT_EQ(named_by(training, training), training.labels);
 }
 
-TEST(Nearest, OfSilentWindowsIsFinite) {
+TEST(Nearest, SilentWindowsGiveFiniteDistances) {
   signal::WindowSet silent = ringing("test", 1);
   std::ranges::fill(silent.samples, 0.0F);
   EXPECT_EQ(named_by(ringing("training", 2), silent).size(), 3U);
 }
 
 // The distance of a window to itself is 0; that to the nearest of another class is d.
-TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
+TEST(Nearest, ScoresThePredictedClassOnlyAndHasHalfSquaredDistancesAsLogits) {
   const signal::WindowSet training = ringing("training", 2);
   const Outputs outputs = Nearest(training).outputs(training, "");
   const BandPowers bands = band_powers(training);
@@ -66,14 +66,14 @@ TEST(Nearest, ScoresTheNamedClassAloneAndHasHalfSquaredDistancesForLogits) {
   EXPECT_NEAR(outputs.logits[1], -to_second / 2, 1e-5 * to_second);
 }
 
-TEST(Nearest, IsNoNearerToAClassWithoutAWindow) {
+TEST(Nearest, NeverPredictsAClassWithoutWindows) {
   signal::WindowSet training = ringing("training", 1);
   training.labels[2] = 0;
   const Outputs outputs = Nearest(training).outputs(training, "");
   EXPECT_LT(outputs.logits[2], -1e5);
 }
 
-TEST(Nearest, NeedsTwoBinsABandAndEqualLengths) {
+TEST(Nearest, NeedsTwoBinsPerBandAndEqualLengths) {
   EXPECT_ERROR(named_by(ringing("a", 1, 255), ringing("b", 1, 255)), Exit::bad_input,
                "windows of 255 samples");
   EXPECT_ERROR(named_by(ringing("a", 1, 512), ringing("b", 1, 256)), Exit::bad_input,

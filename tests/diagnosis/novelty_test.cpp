@@ -76,11 +76,11 @@ class NoveltyOfToys : public testing::Test {
   const std::vector<std::int32_t> groups_{0, 0, 1, 1, 9, 10};
 };
 
-TEST_F(NoveltyOfToys, IsTheDistanceToTheNearestByTheLargestOfWhatIsLeftOut) {
+TEST_F(NoveltyOfToys, IsTheNearestDistanceOverTheLargestLeftOutDistance) {
   expect_by_hand(Novelty(reference_, groups_), Label{-1});
 }
 
-TEST_F(NoveltyOfToys, WithoutAClassIsThatOfTheOthers) {
+TEST_F(NoveltyOfToys, WithoutAClassUsesTheOthers) {
   const Novelty novelty(reference_, groups_);
   expect_by_hand(novelty.without(1), 1);
   expect_by_hand(novelty.without(2), 2);
@@ -104,7 +104,7 @@ TEST_F(NoveltyOfToys, LeavesOutWhatIsCloseInTime) {
   EXPECT_GT(Novelty(reference, {0, 1, 2, 3}).of(tested)[0], 1e4);
 }
 
-TEST_F(NoveltyOfToys, OfTheReferenceItselfIsNothing) {
+TEST_F(NoveltyOfToys, IsZeroForTheReferenceItself) {
   const std::vector<double> all = Novelty(reference_, groups_).of(reference_);
   EXPECT_LT(std::ranges::max(all), 1e-5);
 }
@@ -113,7 +113,7 @@ TEST_F(NoveltyOfToys, NeedsTwoGroups) {
   EXPECT_THROW(Novelty(reference_, std::vector<std::int32_t>(6, 0)), std::logic_error);
 }
 
-TEST_F(NoveltyOfToys, ComesBackAsItWas) {
+TEST_F(NoveltyOfToys, IsReadAsWritten) {
   const Folder folder;
   const Novelty novelty(reference_, groups_);
   artefact::Writer writer("strangeness");
@@ -123,7 +123,7 @@ TEST_F(NoveltyOfToys, ComesBackAsItWas) {
   EXPECT_EQ(read.without(1).of(tested_), novelty.without(1).of(tested_));
 }
 
-TEST_F(NoveltyOfToys, HasAThresholdAboveNothing) {
+TEST_F(NoveltyOfToys, NeedsAPositiveThreshold) {
   const Folder folder;
   artefact::Writer writer("strangeness");
   write_bands(writer, "/reference", band_powers(reference_), reference_.labels);

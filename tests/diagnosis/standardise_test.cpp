@@ -24,7 +24,7 @@ TEST(Standardise, ScalesEachWindowByItself) {
   EXPECT_THAT(result.samples, testing::Pointwise(testing::FloatNear(1e-6F), expected));
 }
 
-TEST(Standardise, OffsetAndGainLeaveNoTrace) {
+TEST(Standardise, RemovesOffsetAndGain) {
   signal::WindowSet set = empty_set(4);
   set.samples = {1, 2, 4, 3, 1e4F + 1, 1e4F + 2, 1e4F + 4, 1e4F + 3, 1e-6F, 2e-6F, 4e-6F, 3e-6F};
   set.labels = {0, 1, 2};

@@ -51,7 +51,7 @@ TEST_F(SymptomRowsOf, AreStandardisedByTheTrainingWindowsAndClipped) {
 
 // The largest novelty of a healthy window is 1 / 1.2 if its block is left out. Against a baseline
 // that holds the window itself it would be less.
-TEST_F(SymptomRowsOf, HaveOfHealthyWindowsTheNoveltyOfABlockThatIsLeftOut) {
+TEST_F(SymptomRowsOf, HealthyWindowsHaveTheNoveltyOfALeftOutBlock) {
   const ScaledRows inputs(normal_, training_, normal_);
   const Eigen::Index novelty = inputs.training.cols() - 1;
   const double left_out = inputs.training.col(novelty).head(20).maxCoeff();
@@ -93,9 +93,9 @@ class SymptomRowsAtSpeeds : public testing::Test {
   signal::WindowSet generated_ = no_impact_windows();
 };
 
-TEST_F(SymptomRowsAtSpeeds, OfKnownWindowsAreMeasuredAtTheirs) { expect_as_tested(known_, 20); }
+TEST_F(SymptomRowsAtSpeeds, KnownWindowsAreMeasuredAtTheirSpeed) { expect_as_tested(known_, 20); }
 
-TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsAreMeasuredAtWhatTheySayOrAtTheOneThatThereIs) {
+TEST_F(SymptomRowsAtSpeeds, GeneratedWindowsAreMeasuredAtTheirSpeedOrTheOnlySpeed) {
   generated_.shaft_speed_rpm.assign(10, 900);
   const signal::WindowSet at_900 = generated_;
   generated_.shaft_speed_rpm.clear();
@@ -106,11 +106,11 @@ TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsAreMeasuredAtWhatTheySayOrAtTheOne
   expect_as_tested(generated_, 30);
 }
 
-TEST_F(SymptomRowsAtSpeeds, OfGeneratedWindowsThatMayBeOfSeveralAreRefused) {
+TEST_F(SymptomRowsAtSpeeds, GeneratedWindowsOfAmbiguousSpeedAreRefused) {
   healthy_at(900, 1200);
   const signal::WindowSet training = compose_training_set(normal_, known_, &generated_, 5);
   EXPECT_ERROR(ScaledRows(normal_, training, known_), Exit::bad_input,
-               "--generated: the windows do not say at which speed of the shaft they are");
+               "--generated: the windows lack shaft speeds");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class SymptomNetOfToys : public testing::Test {
   signal::WindowSet test_ = no_impact_windows();
 };
 
-TEST_F(SymptomNetOfToys, LearnsToNameWhatIsStruck) {
+TEST_F(SymptomNetOfToys, LearnsToPredictTheDefectiveElement) {
   const Learned learned = trained("toy");
   const Outputs outputs = outputs_of(learned);
   const std::vector<Label> named = most_likely(outputs.scores, 3);
@@ -49,13 +49,13 @@ TEST_F(SymptomNetOfToys, LearnsToNameWhatIsStruck) {
   }
 }
 
-TEST_F(SymptomNetOfToys, IsTheSameOfTheSameStreamAndAnotherOfAnother) {
+TEST_F(SymptomNetOfToys, IsReproducibleForAStream) {
   const std::vector<float> once = outputs_of(trained("toy")).scores;
   EXPECT_EQ(outputs_of(trained("toy")).scores, once);
   EXPECT_NE(outputs_of(trained("other")).scores, once);
 }
 
-TEST_F(SymptomNetOfToys, TellsOfEachEpoch) {
+TEST_F(SymptomNetOfToys, ReportsEachEpoch) {
   std::vector<std::int64_t> epochs;
   (void)train_symptom_net(normal_, training_, Stream("toy"),
                           [&](std::int64_t done, double) { epochs.push_back(done); });

@@ -41,7 +41,7 @@ TEST(SymptomNetwork, LearnsWhatALinearOneCannot) {
   }
 }
 
-TEST(SymptomNetwork, SaysWhatABatchCostBeforeItsStep) {
+TEST(SymptomNetwork, ReportsTheLossOfABatchBeforeItsStep) {
   const Quadrants batch("batch", 16);
   SymptomNetwork network(2, 16, Stream("initial"));
   Stream dropped("dropped");
@@ -50,7 +50,7 @@ TEST(SymptomNetwork, SaysWhatABatchCostBeforeItsStep) {
   EXPECT_NEAR(network.step(batch.rows, labels, 1e-3, dropped).loss / 16, std::log(2), 0.3);
 }
 
-TEST(SymptomNetwork, HasAHiddenLayerWithoutNegativeNumbersNorDropoutWhenAsked) {
+TEST(SymptomNetwork, PredictsWithReluAndWithoutDropout) {
   const Quadrants batch("batch", 16);
   SymptomNetwork network(2, 16, Stream("initial"));
   const SymptomNetwork::Outputs once = network.outputs(batch.rows);
@@ -60,7 +60,7 @@ TEST(SymptomNetwork, HasAHiddenLayerWithoutNegativeNumbersNorDropoutWhenAsked) {
   EXPECT_TRUE((network.outputs(batch.rows).logits == once.logits).all());
 }
 
-TEST(SymptomNetwork, ComesBackInSinglePrecision) {
+TEST(SymptomNetwork, IsStoredInSinglePrecision) {
   const Folder folder;
   const Quadrants batch("batch", 16);
   SymptomNetwork network(3, 16, Stream("initial"));

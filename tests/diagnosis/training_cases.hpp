@@ -59,7 +59,7 @@ TEST_P(WdcnnTraining, LearnsTones) {
 }
 
 /// The ratio of two scores is exp(a) / exp(b) of their logits.
-TEST_P(WdcnnTraining, KeepsWhatItsLayersMakeOfEachTestWindow) {
+TEST_P(WdcnnTraining, KeepsTheFeaturesOfEachTestWindow) {
   const LabelledWindows test = tones(35, "test");  // 105 windows: more than one batch
   const Outputs outputs =
       train_and_test(tones(5, "train"), test, short_training(), Stream("layers"), backend())
@@ -119,7 +119,7 @@ TEST_P(WdcnnTraining, GivesTheSameBitsForTheSameStream) {
   EXPECT_NE(first.outputs.scores, other.outputs.scores);
 }
 
-TEST_P(WdcnnTraining, AnEpochDoesNotKnowHowManyFollow) {
+TEST_P(WdcnnTraining, EpochsDoNotDependOnTheirNumber) {
   const LabelledWindows train = tones(8, "train");
   const auto loss = [&](std::int64_t epochs) {
     return train_and_test(train, train, short_training(epochs), Stream("a"), backend())
@@ -154,7 +154,7 @@ inline void expect_error(Exit exit, const std::string& part, const LabelledWindo
   }
 }
 
-TEST_P(WdcnnTraining, RefusesSetsThatCannotBe) {
+TEST_P(WdcnnTraining, RefusesImpossibleSets) {
   const LabelledWindows good = tones(2, "train");
   LabelledWindows one = good;
   one.labels.resize(1);
@@ -177,11 +177,11 @@ TEST_P(WdcnnTraining, RefusesSetsThatCannotBe) {
   expect_error(Exit::bad_input, "at least 1024", too_short, too_short, backend());
 }
 
-TEST_P(WdcnnTraining, DivergedTrainingSaysWhatWouldWork) {
+TEST_P(WdcnnTraining, DivergedTrainingNamesTheRemedy) {
   WdcnnOptions options = short_training(20);
   options.learning_rate = 1e30;
   const LabelledWindows train = tones(4, "train");
-  expect_error(Exit::failed, "a smaller one would work", train, train, backend(), options);
+  expect_error(Exit::failed, "use a smaller", train, train, backend(), options);
 }
 
 }  // namespace piae::diagnosis

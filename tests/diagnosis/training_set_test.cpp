@@ -54,7 +54,7 @@ std::vector<float> first_samples(const WindowSet& set) {
   return firsts;
 }
 
-TEST_F(TrainingSet, WithoutGeneratedWindowsHoldsTheHealthyAndTheKnown) {
+TEST_F(TrainingSet, HoldsHealthyAndKnownWindows) {
   const WindowSet set = compose_training_set(normal, known, nullptr, 0);
   EXPECT_THAT(first_samples(set),
               testing::ElementsAre(100, 101, 102, 103, 104, 105, 200, 201, 300, 301));
@@ -72,12 +72,13 @@ TEST_F(TrainingSet, HoldsTheFirstGeneratedWindowsOfEachClass) {
               testing::ElementsAre(1, 1, 2, 2));
 }
 
-TEST_F(TrainingSet, NeedsGeneratedWindowsExactlyWhereTheyAreUsed) {
-  expect_error(Exit::usage, "--generated: missing, but the ratio needs 2", nullptr, 2);
-  expect_error(Exit::usage, "--generated: this ratio uses no generated window", &generated, 0);
+TEST_F(TrainingSet, NeedsGeneratedWindowsOnlyIfTheRatioUsesThem) {
+  expect_error(Exit::usage, "--generated is missing, but the ratio needs 2", nullptr, 2);
+  expect_error(Exit::usage, "--generated: this ratio does not use generated windows", &generated,
+               0);
 }
 
-TEST_F(TrainingSet, SaysTheSpeedOfEachWindowThatIsKnown) {
+TEST_F(TrainingSet, HasTheRecordedSpeedOfEachWindow) {
   normal.shaft_speed_rpm = {600, 600, 600, 900, 900, 900};
   known.shaft_speed_rpm = {900, 600, 900, 600};
   generated.shaft_speed_rpm = {1, 2, 3, 4, 5, 6};
@@ -89,7 +90,7 @@ TEST_F(TrainingSet, SaysTheSpeedOfEachWindowThatIsKnown) {
                                    testing::IsNan(), testing::IsNan()));
 }
 
-TEST_F(TrainingSet, TakesOneSpeedForThatOfGeneratedWindowsThatAreSilent) {
+TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedTheOnlySpeed) {
   const auto speed_of_generated = [&] {
     const WindowSet set = compose_training_set(normal, known, &generated, 1);
     return set.speed_rpm(set.size() - 1);
@@ -115,18 +116,18 @@ TEST_F(TrainingSet, RefusesTooFewGeneratedWindows) {
                &generated, 4);
 }
 
-TEST_F(TrainingSet, NeedsEveryClassWhereItBelongsAndNowhereElse) {
+TEST_F(TrainingSet, NeedsEachClassInItsSetOnly) {
   const WindowSet good_known = known;
   known = empty_set(4);
   add(known, 1, 2, 0);
-  expect_error(Exit::bad_input, "--known: holds no window of class 'OR'", nullptr, 0);
+  expect_error(Exit::bad_input, "--known: has no window of class 'OR'", nullptr, 0);
 
   known = good_known;
   add(known, 0, 1, 0);
   expect_error(Exit::bad_input, "--known: holds windows of class 'Normal'", nullptr, 0);
 
   std::swap(normal, known = good_known);
-  expect_error(Exit::bad_input, "--normal: holds no window of class 'Normal'", nullptr, 0);
+  expect_error(Exit::bad_input, "--normal: has no window of class 'Normal'", nullptr, 0);
 }
 
 TEST_F(TrainingSet, RefusesSetsOfDifferentOrigin) {
@@ -140,7 +141,7 @@ TEST_F(TrainingSet, RefusesSetsOfDifferentOrigin) {
 
   known = good_known;
   known.info.classes.pop_back();
-  expect_error(Exit::bad_input, "--known: has a number of classes of 2", nullptr, 0);
+  expect_error(Exit::bad_input, "--known: has the number of classes 2", nullptr, 0);
 
   known = good_known;
   generated.length = 2;
@@ -159,7 +160,7 @@ TEST_F(TrainingSet, NeedsATestSetWithEveryClass) {
   EXPECT_THROW(require_fitting_test_set(test, training), Error);
 }
 
-TEST_F(TrainingSet, NoFaultNeedBeKnownWhereSomeAreGenerated) {
+TEST_F(TrainingSet, DoesNotNeedKnownFaultsIfSomeAreGenerated) {
   const WindowSet nothing = empty_set(4);
   const WindowSet set = compose_training_set(normal, nothing, &generated, 1);
   EXPECT_THAT(first_samples(set), testing::ElementsAre(100, 101, 102, 103, 104, 105, 400, 500));
@@ -170,17 +171,17 @@ TEST_F(TrainingSet, NoFaultNeedBeKnownWhereSomeAreGenerated) {
   EXPECT_EQ(healthy_alone.size(), normal.size());
   EXPECT_NO_THROW(require_faults(healthy_alone, rule, "C.h5"));
   EXPECT_ERROR(require_faults(healthy_alone, network, "C.h5"), Exit::bad_input,
-               "C.h5: holds no known fault window (known-per-class = 0), and without any, network "
-               "cannot learn what a fault is; give --generated windows");
+               "C.h5: has no known fault windows (known-per-class = 0), and network cannot learn "
+               "faults without any; give --generated windows");
 }
 
-TEST_F(TrainingSet, FaultsOfSomeClassesAloneAreRefused) {
+TEST_F(TrainingSet, RefusesKnownFaultsOfSomeClassesOnly) {
   known = empty_set(4);
   add(known, 1, 2, 200);
-  expect_error(Exit::bad_input, "--known: holds no window of class", nullptr, 0);
+  expect_error(Exit::bad_input, "--known: has no window of class", nullptr, 0);
 }
 
-TEST_F(TrainingSet, TheFirstOfEachFaultAreTakenClassAfterClass) {
+TEST_F(TrainingSet, TakesTheFirstGeneratedWindowsOfEachClassInOrder) {
   EXPECT_THAT(first_of_each_fault(generated, 2), testing::ElementsAre(1, 3, 0, 2));
   EXPECT_THAT(first_of_each_fault(generated, 9), testing::ElementsAre(1, 3, 5, 0, 2, 4));
   EXPECT_THAT(first_of_each_fault(generated, 0), testing::ElementsAre());

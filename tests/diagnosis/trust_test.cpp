@@ -79,7 +79,7 @@ class TrustByHand : public testing::Test {
 
 // exp(ln 18) = 18 against 1 and 1 is 0.9, with four of six correct; 2 against 1 and 1 is 0.5, with
 // one of three correct. The temperature ln 18 / ln 4 makes the first 4 against 1 and 1.
-TEST_F(TrustByHand, IsHowOftenItIsRightAndHowMuchItErrsWhereItSaysSo) {
+TEST_F(TrustByHand, HasAccuracyAndCalibrationError) {
   const double temperature = std::log(18.0) / std::log(4.0);
   KeptClassifier classifier = kept(temperature);
   const Trust trust = trust_in(classifier, test_);
@@ -89,7 +89,7 @@ TEST_F(TrustByHand, IsHowOftenItIsRightAndHowMuchItErrsWhereItSaysSo) {
   EXPECT_NEAR(trust.calibration_error, 3 * (less_sure - 1.0 / 3) / 9, 1e-6);
 }
 
-TEST_F(TrustByHand, CountsWhatIsCalledUnknown) {
+TEST_F(TrustByHand, CountsWindowsCalledUnknown) {
   KeptClassifier classifier = kept(1);
   const std::vector<double> novelties = novelty().of(test_);
   EXPECT_GT(novelties[8], 1);
@@ -99,7 +99,7 @@ TEST_F(TrustByHand, CountsWhatIsCalledUnknown) {
 }
 
 // Compares pairs: windows of the left-out class against all others.
-TEST_F(TrustByHand, TellsAClassThatWasNotTrainedFromTheOthers) {
+TEST_F(TrustByHand, DistinguishesAnUntrainedClassFromTheOthers) {
   KeptClassifier classifier = kept(1);
   const Trust trust = trust_in(classifier, test_);
   ASSERT_EQ(trust.untrained.size(), 2U);  // healthy windows are always trained
@@ -142,7 +142,7 @@ class StoredTrust : public testing::Test {
                                    {2, {.auroc = 0.95, .called_unknown = 0.6}}}};
 };
 
-TEST_F(StoredTrust, ComesBackAsItWas) {
+TEST_F(StoredTrust, IsReadAsWritten) {
   const Trust read = read_trust(written(trust_), three_classes());
   EXPECT_EQ(read.accuracy, 0.9);
   EXPECT_EQ(read.raw_calibration_error, 0.2);
@@ -153,7 +153,7 @@ TEST_F(StoredTrust, ComesBackAsItWas) {
   EXPECT_EQ(read.untrained.at(2).called_unknown, 0.6);
 }
 
-TEST_F(StoredTrust, IsOfSharesAlone) {
+TEST_F(StoredTrust, NeedsSharesFromZeroToOne) {
   Trust more = trust_;
   more.calibration_error = 1.1;
   EXPECT_ERROR(read_trust(written(more), three_classes()), Exit::bad_input, "calibration_error");
@@ -164,12 +164,12 @@ TEST_F(StoredTrust, IsOfSharesAlone) {
 }
 
 // Entries for classes that do not exist, or for healthy windows, are never written.
-TEST_F(StoredTrust, IsOfEachClassOfFaultOnce) {
+TEST_F(StoredTrust, NamesEachFaultClassOnce) {
   for (const Label label : {-1, 0, 3}) {
     Trust other = trust_;
     other.untrained[label] = other.untrained.extract(1).mapped();
     EXPECT_ERROR(read_trust(written(other), three_classes()), Exit::bad_input,
-                 "/trust/untrained_class must name each class of fault once");
+                 "/trust/untrained_class must name each fault class once");
   }
   Trust less = trust_;
   less.untrained.erase(2);

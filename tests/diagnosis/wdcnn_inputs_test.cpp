@@ -46,7 +46,7 @@ void expect_standardised(std::span<const float> inputs, const Eigen::ArrayXd& ba
   }
 }
 
-TEST(SpectralInputs, OfAWindowOf1024SamplesAre1024) {
+TEST(SpectralInputs, Have1024ValuesForAWindowOf1024Samples) {
   const signal::WindowSet set = two_of_noise(1024);
   for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
     const LabelledWindows seen = represent(set, "--test");
@@ -57,7 +57,7 @@ TEST(SpectralInputs, OfAWindowOf1024SamplesAre1024) {
   }
 }
 
-TEST(SpectralInputs, AreEnoughForTheNetworkWhateverTheLengthOfWindows) {
+TEST(SpectralInputs, AreLongEnoughForTheNetworkAtAnyWindowLength) {
   for (const std::size_t length : {512, 600, 1000, 1025, 2048, 4096, 8192}) {
     const signal::WindowSet set = two_of_noise(length);
     for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
@@ -83,7 +83,7 @@ TEST(SpectralInputs, AreStandardisedSpectra) {
   }
 }
 
-TEST(SpectralInputs, SideBySideAreStandardisedEachByItself) {
+TEST(SpectralInputs, BothSpectraAreStandardisedSeparately) {
   const signal::WindowSet set = two_of_noise(1024);
   const LabelledWindows both = both_log_spectra(set, "--test");
   for (const std::size_t i : {0, 1}) {
@@ -93,7 +93,7 @@ TEST(SpectralInputs, SideBySideAreStandardisedEachByItself) {
   }
 }
 
-TEST(SpectralInputs, OfASilentBandAreFiniteAndDoNotDependOnTheGain) {
+TEST(SpectralInputs, SilentBandIsFiniteAndIndependentOfTheGain) {
   signal::WindowSet set = empty_set(1024);
   for (const float gain : {1e-6F, 1e6F}) {
     for (std::size_t t = 0; t < 1024; ++t) {
@@ -112,7 +112,7 @@ TEST(SpectralInputs, OfASilentBandAreFiniteAndDoNotDependOnTheGain) {
   EXPECT_THAT(log_envelope_spectra(set, "--test").samples, testing::Each(0));
 }
 
-TEST(SpectralInputs, OfAConstantWindowAreRefused) {
+TEST(SpectralInputs, ConstantWindowIsRefused) {
   signal::WindowSet set = two_of_noise(1024);
   std::fill(set.samples.begin() + 1024, set.samples.end(), 4.0F);
   for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {

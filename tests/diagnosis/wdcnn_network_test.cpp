@@ -141,7 +141,7 @@ TEST(WdcnnNetwork, GradientEqualsFiniteDifferences) {
   }
 }
 
-TEST(WdcnnNetwork, WhatFillsVectorsStaysZero) {
+TEST(WdcnnNetwork, PaddingStaysZero) {
   WdcnnNetwork<float> network = example_network<float>();
   nets::Adam<float> adam(network.values().size());
   for (int i = 0; i < 3; ++i) {
@@ -166,7 +166,7 @@ TEST(WdcnnNetwork, WhatFillsVectorsStaysZero) {
   }
 }
 
-TEST(WdcnnNetwork, EvaluationTreatsWindowsAloneAndKeepsItsState) {
+TEST(WdcnnNetwork, EvaluationTreatsEachWindowAloneAndKeepsTheState) {
   WdcnnNetwork<float> network = example_network<float>();
   const RandomBatch batch = batch_of(5);
   logits(network, batch, true);

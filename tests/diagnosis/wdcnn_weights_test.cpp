@@ -33,7 +33,7 @@ class StoredWeights : public testing::Test {
   const Folder folder_;
 };
 
-TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
+TEST_F(StoredWeights, AreReadAsWrittenUnderTheirLayerNames) {
   const WdcnnWeights& weights = learned_weights();
   const artefact::Reader reader = stored_weights(weights);
   const WdcnnWeights read = read_wdcnn_weights(reader, "/net", 1024, 3);
@@ -51,7 +51,7 @@ TEST_F(StoredWeights, ComeBackAsTheyWereUnderTheNamesOfTheirLayers) {
   }
 }
 
-TEST_F(StoredWeights, MakeTheSameOfWindowsAsTheNetworkThatLearned) {
+TEST_F(StoredWeights, PredictLikeTheTrainedNetwork) {
   const TrainedWdcnn learned = little_trained();
   const LabelledWindows tested = tones(25, "asked");  // 75: more than one batch
   const Outputs before = learned.network->outputs(tested);
@@ -61,14 +61,14 @@ TEST_F(StoredWeights, MakeTheSameOfWindowsAsTheNetworkThatLearned) {
   EXPECT_EQ(after.hidden, before.hidden);
 }
 
-TEST_F(StoredWeights, AreThoseOfTheirShapeAlone) {
+TEST_F(StoredWeights, NeedTheRightShape) {
   const artefact::Reader reader = stored_weights(learned_weights());
   EXPECT_ERROR(read_wdcnn_weights(reader, "/net", 2048, 3), Exit::bad_input, "/net/dense/weight");
   EXPECT_ERROR(read_wdcnn_weights(reader, "/net", 1024, 4), Exit::bad_input, "/net/classes/");
   EXPECT_ERROR(read_wdcnn_weights(reader, "/other", 1024, 3), Exit::bad_input, "/other/conv1");
 }
 
-TEST_F(StoredWeights, HaveNoVarianceBelowNothing) {
+TEST_F(StoredWeights, NeedVariancesFromZeroUp) {
   WdcnnWeights weights = learned_weights();
   weights.running_variances[5][99] = -1e-6F;
   EXPECT_ERROR(read_wdcnn_weights(stored_weights(weights), "/net", 1024, 3), Exit::bad_input,

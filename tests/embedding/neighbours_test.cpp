@@ -15,7 +15,7 @@ double perplexity_of(const Eigen::ArrayXd& p) {
   return reference::perplexity_of(std::vector<double>(p.begin(), p.end()));
 }
 
-TEST(NeighbourProbabilities, HaveThePerplexityThatIsAskedFor) {
+TEST(NeighbourProbabilities, HaveTheRequestedPerplexity) {
   Stream stream("distances");
   Eigen::ArrayXd distances(200);
   for (double& distance : distances) distance = std::pow(stream.normal(0, 1), 2);
@@ -40,14 +40,14 @@ TEST(NeighbourProbabilities, AreGaussian) {
   }
 }
 
-TEST(NeighbourProbabilities, FindTheNearestAmongTheFarAway) {
+TEST(NeighbourProbabilities, FindTheNearestAmongDistantPoints) {
   Eigen::ArrayXd distances = Eigen::ArrayXd::Constant(10, 1e12);
   distances[4] = 1e-12;
   const Eigen::ArrayXd p = neighbour_probabilities(distances, 1);
   EXPECT_NEAR(p[4], 1, 1e-8);
 }
 
-TEST(NeighbourProbabilities, AreSharedAmongMoreEqualPointsThanThePerplexity) {
+TEST(NeighbourProbabilities, AreSharedEquallyAmongEqualPoints) {
   Eigen::ArrayXd distances = Eigen::ArrayXd::Constant(12, 3);
   distances.head(6) = 0;
   const Eigen::ArrayXd p = neighbour_probabilities(distances, 2);
@@ -56,7 +56,7 @@ TEST(NeighbourProbabilities, AreSharedAmongMoreEqualPointsThanThePerplexity) {
   EXPECT_TRUE(neighbour_probabilities(Eigen::ArrayXd::Zero(12), 2).isApproxToConstant(1.0 / 12));
 }
 
-TEST(PairProbabilities, AreThoseOfTheDefinition) {
+TEST(PairProbabilities, MatchTheDefinition) {
   const Points points = three_clouds(60, 5, 3, "points");
   const Eigen::MatrixXd p = pair_probabilities(squared_distances(points), 10);
   const reference::Table expected = reference::pair_probabilities(points, 10);

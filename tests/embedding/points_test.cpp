@@ -20,7 +20,7 @@ TEST(SquaredDistances, AreSumsOfSquaredDifferences) {
 }
 
 /// Computing distances by a matrix product would leave the rounding error of 1e16 - 1e16.
-TEST(SquaredDistances, OfEqualPointsFarFromZeroAreZero) {
+TEST(SquaredDistances, AreZeroForEqualDistantPoints) {
   const Points points = Points::Constant(3, 5, 1e8 / 3);
   EXPECT_TRUE(squared_distances(points).isZero(0));
 }

@@ -30,13 +30,13 @@ TEST(FirstPlaces, AreTheFirstTwoPrincipalComponents) {
   EXPECT_TRUE((first_places(points) - expected).isZero(1e-13));
 }
 
-TEST(FirstPlaces, FollowThePointsWhenThoseAreReordered) {
+TEST(FirstPlaces, FollowReorderedPoints) {
   const Points points = three_clouds(30, 4, 5, "points");
   const Plane places = first_places(points);
   EXPECT_TRUE(first_places(points.colwise().reverse()).isApprox(places.colwise().reverse(), 1e-9));
 }
 
-TEST(FirstPlaces, HaveNoiseWherePointsLieOnALine) {
+TEST(FirstPlaces, AreNoiseAlongADirectionWithoutVariation) {
   Points points(20, 3);
   for (Eigen::Index i = 0; i < 20; ++i) {
     points.row(i) = Eigen::RowVector3d::LinSpaced(1, 3) * static_cast<double>(i);
@@ -50,7 +50,7 @@ TEST(FirstPlaces, HaveNoiseWherePointsLieOnALine) {
   }
 }
 
-TEST(FirstPlaces, AreNoiseWhereAllPointsAreEqual) {
+TEST(FirstPlaces, AreNoiseForEqualPoints) {
   const Plane places = first_places(Points::Constant(20, 3, 7));
   EXPECT_TRUE(places.allFinite());
   EXPECT_GT(deviation(places.col(0)), 1e-7);

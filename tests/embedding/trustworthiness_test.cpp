@@ -47,7 +47,7 @@ double by_definition(const Points& points, const Points& map, Index k) {
   return 1 - 2 / (n * of * (2 * n - 3 * of - 1)) * sum;
 }
 
-TEST(Trustworthiness, OfTheIdentityIsOne) {
+TEST(Trustworthiness, IsOneForTheIdentity) {
   const Points points = cloud(50, 2, "points");
   EXPECT_EQ(trustworthiness(points, points), 1);
   EXPECT_EQ(trustworthiness(points, -3 * points, 5), 1);
@@ -63,13 +63,13 @@ TEST(Trustworthiness, EqualsTheHandWorkedValue) {
 }
 
 /// The nearest neighbours on the map are d, d, a and a: for each point, the farthest one.
-TEST(Trustworthiness, IsZeroWhereEachNeighbourIsTheFarthest) {
+TEST(Trustworthiness, IsZeroIfEachNeighbourIsTheFarthest) {
   const Points points = on_a_line({0, 0.1, 10, 10.1});
   const Points map = on_a_line({0, 2.5, -1.5, 1});
   EXPECT_NEAR(trustworthiness(points, map, 1), 0, 1e-15);
 }
 
-TEST(Trustworthiness, IsThatOfTheDefinition) {
+TEST(Trustworthiness, MatchesTheDefinition) {
   const Points points = cloud(60, 5, "points");
   const Points map = points.leftCols(2) + 0.5 * cloud(60, 2, "map");
   for (const Index k : {1, 5, 12, 29}) {
@@ -79,7 +79,7 @@ TEST(Trustworthiness, IsThatOfTheDefinition) {
 }
 
 /// On a grid of whole numbers most distances occur more than once.
-TEST(Trustworthiness, TakesTheSmallerIndexOfEquallyNearPoints) {
+TEST(Trustworthiness, BreaksTiesByIndex) {
   Points points(36, 2);
   for (Index i = 0; i < 36; ++i) {
     const Index row = i / 6;
@@ -91,11 +91,11 @@ TEST(Trustworthiness, TakesTheSmallerIndexOfEquallyNearPoints) {
   }
 }
 
-TEST(Trustworthiness, OfAMapByChanceIsAboutAHalf) {
+TEST(Trustworthiness, IsAboutAHalfForARandomMap) {
   EXPECT_NEAR(trustworthiness(cloud(400, 5, "points"), cloud(400, 2, "map")), 0.5, 0.03);
 }
 
-TEST(Trustworthiness, RefusesWhatItCannotCompare) {
+TEST(Trustworthiness, RefusesMismatchedMaps) {
   const Points points = cloud(24, 3, "points");
   EXPECT_THROW(trustworthiness(points, cloud(23, 2, "map"), 5), std::logic_error);
   EXPECT_THROW(trustworthiness(points, points, 0), std::logic_error);

@@ -19,7 +19,7 @@ struct TsneCost : testing::Test {
   reference::Table expected = reference::pair_probabilities(points, perplexity);
 };
 
-TEST_F(TsneCost, IsThatOfTheDefinition) {
+TEST_F(TsneCost, MatchesTheDefinition) {
   for (const double size : {1e-4, 1.0, 30.0}) {
     const Points map = size * cloud(count, 2, "map");
     EXPECT_NEAR(kl_divergence(probabilities, map), reference::kl_divergence(expected, map), 1e-8);
@@ -27,7 +27,7 @@ TEST_F(TsneCost, IsThatOfTheDefinition) {
 }
 
 /// The differences use the cost of the reference, so both sides are independent.
-TEST_F(TsneCost, HasTheGradientThatItsDifferencesShow) {
+TEST_F(TsneCost, HasTheGradientOfFiniteDifferences) {
   const KlGradient gradient_at(probabilities);
   for (const double size : {0.01, 1.0, 10.0}) {
     Points map = size * cloud(count, 2, "map");
@@ -44,7 +44,7 @@ TEST_F(TsneCost, HasTheGradientThatItsDifferencesShow) {
 }
 
 /// The gradient is linear in the probabilities: exaggeration e adds (e - 1) times the attraction.
-TEST_F(TsneCost, IsExaggeratedByMoreAttraction) {
+TEST_F(TsneCost, ExaggerationIncreasesAttraction) {
   const KlGradient gradient_at(probabilities);
   const Plane map = cloud(count, 2, "map");
   const Plane repulsion = gradient_at(map, 0);
@@ -54,7 +54,7 @@ TEST_F(TsneCost, IsExaggeratedByMoreAttraction) {
 }
 
 /// Four points so far apart that the rounding of 1 + w dominates.
-TEST_F(TsneCost, HasTheGradientOfFewPointsFarApart) {
+TEST_F(TsneCost, HasTheGradientOfDistantPoints) {
   const Eigen::MatrixXd equal =
       (Eigen::MatrixXd::Ones(4, 4) - Eigen::MatrixXd::Identity(4, 4)) / 12;
   Points map(4, 2);
@@ -69,7 +69,7 @@ TEST_F(TsneCost, HasTheGradientOfFewPointsFarApart) {
 }
 
 /// Enough points that a step runs on several threads.
-TEST_F(TsneCost, AndItsGradientDoNotDependOnTheNumberOfThreads) {
+TEST_F(TsneCost, DoesNotDependOnTheNumberOfThreads) {
   const Points many = cloud(1100, 5, "many");
   const Plane map = cloud(1100, 2, "map");
   const auto both = [&](int threads) {

@@ -28,7 +28,7 @@ TEST(Tsne, ReportsTheDivergenceOfItsMap) {
 }
 
 /// At the minimum, the reference cost rises in every direction.
-TEST(Tsne, EndsWhereTheCostIsLeast) {
+TEST(Tsne, EndsAtTheMinimumOfTheCost) {
   const Points points = three_clouds(60, 8, 4, "points");
   TsneMap map = tsne(points, {.perplexity = 10, .iterations = 2000});
   const reference::Table p = reference::pair_probabilities(points, 10);
@@ -44,7 +44,7 @@ TEST(Tsne, EndsWhereTheCostIsLeast) {
 }
 
 /// Each point is nearer to all points of its own cloud than to any of another cloud.
-TEST(Tsne, KeepsSeparateCloudsSeparate) {
+TEST(Tsne, SeparatesClouds) {
   const Points points = three_clouds(150, 20, 30, "points");
   const TsneMap map = tsne(points, {.perplexity = 30});
   const Eigen::MatrixXd distances = squared_distances(map.points);
@@ -74,7 +74,7 @@ TEST(Tsne, UnrollsASheet) {
   EXPECT_GT(trustworthiness(points, tsne(points, {.perplexity = 20}).points), 0.99);
 }
 
-TEST(Tsne, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
+TEST(Tsne, IsReproducibleForAnyNumberOfThreads) {
   const Points points = three_clouds(203, 10, 3, "points");
   const auto with_threads = [&](int count) {
     const Threads held(count);
@@ -88,7 +88,7 @@ TEST(Tsne, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
   }
 }
 
-TEST(Tsne, OfReorderedPointsIsTheSameMapReordered) {
+TEST(Tsne, ReorderedPointsGiveTheReorderedMap) {
   const Points points = three_clouds(90, 8, 6, "points");
   Eigen::PermutationMatrix<Eigen::Dynamic> order(90);
   const std::vector<std::size_t> indices = Stream("order").permutation(90);
@@ -99,7 +99,7 @@ TEST(Tsne, OfReorderedPointsIsTheSameMapReordered) {
   EXPECT_EQ(reordered.kl_divergence, map.kl_divergence);
 }
 
-TEST(Tsne, HasAPlaceForEqualPoints) {
+TEST(Tsne, AcceptsEqualPoints) {
   Points points = three_clouds(60, 5, 8, "points");
   for (Index i = 0; i < 30; ++i) points.row(30 + i) = points.row(i % 3);
   const TsneMap map = tsne(points, {.perplexity = 8});
@@ -108,7 +108,7 @@ TEST(Tsne, HasAPlaceForEqualPoints) {
   EXPECT_GT(trustworthiness(points, map.points), 0.8);
 }
 
-TEST(Tsne, TakesNoNoticeOfAConstantCoordinate) {
+TEST(Tsne, IgnoresAConstantCoordinate) {
   Points points = three_clouds(60, 5, 8, "points");
   const TsneMap without = tsne(points, {.perplexity = 8, .iterations = 20});
   points.conservativeResize(Eigen::NoChange, 7);
@@ -119,13 +119,13 @@ TEST(Tsne, TakesNoNoticeOfAConstantCoordinate) {
 }
 
 /// All pairs are equally probable, and all are near each other on the map: no information is lost.
-TEST(Tsne, OfPointsThatAreAllEqualLosesNothing) {
+TEST(Tsne, EqualPointsLoseNothing) {
   const TsneMap map = tsne(Points::Constant(50, 4, 3.5), {.perplexity = 10});
   EXPECT_TRUE(map.points.allFinite());
   EXPECT_NEAR(map.kl_divergence, 0, 1e-3);
 }
 
-TEST(Tsne, OfPointsOnALineLeavesTheLine) {
+TEST(Tsne, PointsOnALineLeaveTheLine) {
   Points points(100, 2);
   for (Index i = 0; i < 100; ++i) points.row(i) << static_cast<double>(i), 2.0;
   const TsneMap map = tsne(points, {.perplexity = 20});
@@ -134,13 +134,13 @@ TEST(Tsne, OfPointsOnALineLeavesTheLine) {
   EXPECT_GT(trustworthiness(points, map.points), 0.99);
 }
 
-TEST(Tsne, OfTheFewestPointsIsAMap) {
+TEST(Tsne, AcceptsTheFewestPoints) {
   const TsneMap map = tsne(cloud(5, 3, "points"), {.perplexity = 1});
   EXPECT_TRUE(map.points.allFinite());
   EXPECT_LT(map.points.cwiseAbs().maxCoeff(), 1e4);
 }
 
-TEST(Tsne, RefusesAPerplexityThatThePointsCannotCarry) {
+TEST(Tsne, RefusesAPerplexityTooLargeForThePoints) {
   const Points points = cloud(31, 3, "points");
   EXPECT_THROW(tsne(points, {.perplexity = 10, .iterations = 1}), std::logic_error);
   EXPECT_NO_THROW(tsne(points, {.perplexity = 9.9, .iterations = 1}));
@@ -152,7 +152,7 @@ TEST(Tsne, RefusesAPerplexityThatThePointsCannotCarry) {
   }
 }
 
-TEST(Tsne, RefusesWhatHasNoMap) {
+TEST(Tsne, RefusesPointsWithoutAMap) {
   EXPECT_THROW(tsne(Points(50, 0), {.perplexity = 5}), std::logic_error);
   EXPECT_THROW(tsne(cloud(50, 3, "points"), {.perplexity = 5, .exaggeration = 0}),
                std::logic_error);

@@ -10,7 +10,7 @@
 namespace piae::impacts {
 namespace {
 
-TEST(Edges, TakeAwayWhatTheLagHoldsInWholePeriods) {
+TEST(Edges, WeakenFrequenciesWithWholePeriodsInTheLag) {
   const Edges edges{.lag_s = 1e-3, .exit = 0.6};
   EXPECT_NEAR(std::abs(edges.gain(0)), 0.4, 1e-12);
   EXPECT_NEAR(std::abs(edges.gain(500)), 1.6, 1e-12);
@@ -28,7 +28,7 @@ TEST(Edges, AreTheTransformOfTwoImpulses) {
   }
 }
 
-TEST(Edges, OfManyImpactsAreTheMeanOfEach) {
+TEST(Edges, AreTheMeanOverImpacts) {
   const Edges edges{.lag_s = 1e-3, .exit = 0.8, .spread = 0.05};
   Stream random("lags");
   constexpr int impacts = 20000;
@@ -45,7 +45,7 @@ TEST(Edges, OfManyImpactsAreTheMeanOfEach) {
   }
 }
 
-TEST(Edges, WithoutSecondImpulseChangeNothing) {
+TEST(Edges, ChangeNothingWithoutASecondImpulse) {
   EXPECT_EQ(Edges{}.gain(1234), std::complex<double>(1));
 }
 

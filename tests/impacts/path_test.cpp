@@ -38,7 +38,7 @@ TEST(Equaliser, MultipliesTonesAndKeepsTheirPhaseAndTheLevel) {
   EXPECT_NEAR(rms(samples), 1, 1e-12);
 }
 
-TEST(Equaliser, LeavesSilenceAndRefusesAnotherNumberOfGains) {
+TEST(Equaliser, KeepsSilenceAndRefusesAWrongNumberOfGains) {
   std::vector<double> silence(8, 0.0);
   equalise(silence, Eigen::ArrayXd::Constant(5, 2));
   EXPECT_EQ(silence, std::vector<double>(8, 0.0));

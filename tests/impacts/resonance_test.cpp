@@ -30,7 +30,7 @@ TEST(Ring, RisesToItsResonanceAndIsFlatBeyond) {
   EXPECT_NEAR(response[top] - response[1024], std::log(at_top / at_end), 1e-9);
 }
 
-TEST(Ring, IsFoundAgainByItsTopAndItsWidth) {
+TEST(Ring, IsRecoveredFromPeakAndWidth) {
   for (const double hz : {400.0, 1800.0, 4100.0}) {
     const double w = 2 * std::numbers::pi * hz;
     const signal::DynamicParameters truth{2 * w * w, 2 * 0.05 * 2 * w};  // 2 kg, 5 % of critical
@@ -42,7 +42,7 @@ TEST(Ring, IsFoundAgainByItsTopAndItsWidth) {
   }
 }
 
-TEST(Ring, IsTheStrongestOfSeveral) {
+TEST(Ring, IsTheStrongestOfSeveralResonances) {
   const auto hz_w = [](double hz) { return 2 * std::numbers::pi * hz; };
   const signal::DynamicParameters low{std::pow(hz_w(1000), 2), 0.02 * hz_w(1000)};
   const signal::DynamicParameters high{std::pow(hz_w(3000), 2), 0.2 * hz_w(3000)};

@@ -35,7 +35,7 @@ TEST(Response, MinimumPhaseFollowsFromTheAmplitude) {
     EXPECT_NEAR(std::abs(found[i] - expected[i]), 0, 1e-9) << i;
 }
 
-TEST(Response, OfMinimumPhaseRingsAfterTheImpactAlone) {
+TEST(Response, MinimumPhaseRingsOnlyAfterTheImpact) {
   const ArrayXd ring = samples_of(minimum_phase(two_poles().abs().log()));
   ASSERT_EQ(ring.size(), 1024);
   EXPECT_NEAR(ring[0], 1, 1e-9);
@@ -43,7 +43,7 @@ TEST(Response, OfMinimumPhaseRingsAfterTheImpactAlone) {
   EXPECT_NEAR(ring.tail(256).abs().maxCoeff(), 0, 1e-9);
 }
 
-TEST(Response, LifteringLeavesSlowChangesAndTakesFastOnes) {
+TEST(Response, LifteringKeepsSlowChangesAndRemovesFastOnes) {
   const auto ripple = [](double quefrency) {
     const ArrayXd places = ArrayXd::LinSpaced(response_bins, 0, std::numbers::pi);
     return ArrayXd((quefrency * places).cos());
@@ -63,7 +63,7 @@ TEST(Filter, DelaysByAPhaseThatGrowsWithTheFrequency) {
   for (std::size_t t = 0; t < 8; ++t) EXPECT_NEAR(window[t], expected[t], 1e-12) << t;
 }
 
-TEST(Filter, RefusesAnotherNumberOfGains) {
+TEST(Filter, RefusesAWrongNumberOfGains) {
   std::vector<double> window(8, 0.0);
   EXPECT_THROW(filter(window, std::vector<std::complex<double>>(8, 1.0)), std::logic_error);
 }

@@ -17,13 +17,13 @@ TEST(LoadZone, IsHalfATurnWithoutClearance) {
   EXPECT_EQ(load_share(pi, 0.5), 0);
 }
 
-TEST(LoadZone, IsNarrowerWithClearanceAndAllRoundWithPreload) {
+TEST(LoadZone, IsNarrowerWithClearanceAndFullWithPreload) {
   EXPECT_EQ(load_share(pi / 2, 0.25), 0);
   EXPECT_NEAR(load_share(pi / 3, 0.3), std::pow(1 - 0.5 / 0.6, 1.5), 1e-15);
   EXPECT_NEAR(load_share(pi, 2), std::pow(0.5, 1.5), 1e-15);
 }
 
-TEST(LoadZone, LiesEvenlyAboutTheLoad) {
+TEST(LoadZone, IsSymmetricAboutTheLoad) {
   for (const double angle : {0.2, 0.9, 1.4}) {
     EXPECT_DOUBLE_EQ(load_share(angle, 0.4), load_share(-angle, 0.4));
     EXPECT_NEAR(load_share(angle, 0.4), load_share(angle + 2 * pi, 0.4), 1e-14);
@@ -33,7 +33,7 @@ TEST(LoadZone, LiesEvenlyAboutTheLoad) {
 constexpr double revolution = 2 * pi;
 const bearing::Speeds speeds_of_6205 = bearing::speeds({}, 1800);
 
-TEST(LoadOnADefect, OfTheInnerRaceComesAndGoesWithTheShaft) {
+TEST(LoadOnADefect, InnerRaceLoadFollowsTheShaft) {
   Load load = load_on(bearing::Defect::inner, speeds_of_6205, 0.5);
   load.extent = 0.5;
   // Half a turn is loaded, and the shaft makes 30 turns a second. The mean of q over a turn is
@@ -50,7 +50,7 @@ TEST(LoadOnADefect, OfTheInnerRaceComesAndGoesWithTheShaft) {
   EXPECT_NEAR(sum / 30000, 0.2782, 1e-3);
 }
 
-TEST(LoadOnADefect, OfTheOuterRaceIsModulatedByALoadThatTurns) {
+TEST(LoadOnADefect, OuterRaceLoadIsModulatedByARotatingLoad) {
   Load load = load_on(bearing::Defect::outer, speeds_of_6205, 0.5);
   load.extent = 1;
   load.angle_rad = 0.4;
@@ -58,7 +58,7 @@ TEST(LoadOnADefect, OfTheOuterRaceIsModulatedByALoadThatTurns) {
   EXPECT_NEAR(load.at(1.0 / 60), 0.5 * load_share(0.4, 1), 1e-12);  // half a turn of the shaft
 }
 
-TEST(LoadOnADefect, OfABallTurnsWithTheCage) {
+TEST(LoadOnADefect, BallLoadFollowsTheCage) {
   Load load = load_on(bearing::Defect::roller, speeds_of_6205, 0);
   load.extent = 0.5;
   // The cage of a 6205 makes (1 - 7.94 / 39) / 2 turns per shaft turn.
@@ -69,7 +69,7 @@ TEST(LoadOnADefect, OfABallTurnsWithTheCage) {
   EXPECT_NEAR(load.rad_per_s, revolution / cage_s, 1e-9);
 }
 
-TEST(LoadOnADefect, WithoutZoneTurningLoadAndScatterLeavesImpactsAlike) {
+TEST(LoadOnADefect, WithoutZoneRotationAndScatterImpactsAreEqual) {
   for (const auto defect :
        {bearing::Defect::inner, bearing::Defect::outer, bearing::Defect::roller}) {
     std::vector<Impact> impacts(40);
@@ -89,7 +89,7 @@ TEST(LoadOnADefect, ScattersTheLogarithmOfStrengths) {
   EXPECT_NEAR(std::sqrt(squares / 5000), 0.4, 0.04 * 0.4);
 }
 
-TEST(Strengths, OfEverySecondImpactAreWeaker) {
+TEST(Strengths, EverySecondImpactIsWeaker) {
   std::vector<Impact> impacts(5);
   weaken_every_second(0.25, 1, impacts);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(impacts[i].strength, i % 2 == 1 ? 0.25 : 1);

@@ -21,7 +21,7 @@ ArrayXd impact_window(const std::vector<Impact>& impacts) {
                    frame_bins - 1);
 }
 
-TEST(Synthesis, AStructureThatDoesNotRingShowsTheImpactsThemselves) {
+TEST(Synthesis, StructureWithoutRingingShowsTheImpacts) {
   // Impulses of opposite sign, 300 samples into the window and 24 later. The impulse before the
   // window is not in it.
   const ArrayXd window = impact_window({{.time_s = 500 / frame_rate_hz},
@@ -37,7 +37,7 @@ TEST(Synthesis, AStructureThatDoesNotRingShowsTheImpactsThemselves) {
   EXPECT_TRUE(impact_window({}).isZero(0));
 }
 
-TEST(Synthesis, TheBackgroundHasTheColourOfTheStructureAndTheEdges) {
+TEST(Synthesis, BackgroundHasTheColourOfStructureAndEdges) {
   const Edges edges{.lag_s = 1e-3, .exit = 0.8, .spread = 0};
   ArrayXd response(frame_bins);
   for (Eigen::Index i = 0; i < frame_bins; ++i) response[i] = i < 512 ? 0 : std::log(0.1);

@@ -7,7 +7,7 @@
 namespace piae::impacts {
 namespace {
 
-TEST(Times, WithoutJitterComeOncePerPeriodToTheEndOfTheFrame) {
+TEST(Times, WithoutJitterComeOncePerPeriod) {
   Stream random("even");
   const ImpactRate even{.period = 0.01, .jitter = 0};
   const std::vector<Impact> impacts = draw_impacts(random, even, 0.2, [](std::size_t i) {
@@ -24,7 +24,7 @@ TEST(Times, WithoutJitterComeOncePerPeriodToTheEndOfTheFrame) {
   }
 }
 
-TEST(Times, LieWithinTheWindowInSeconds) {
+TEST(Times, AreWithinTheWindowInSeconds) {
   const std::vector<double> samples{-0.5, 0, 512, std::nextafter(1024.0, 0.0), 1024, 1030};
   const std::vector<double> times_s = times_within(samples, 1024, 12000);
   // The fourth position is within the window, but its time rounds to the end.

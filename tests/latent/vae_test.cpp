@@ -18,7 +18,7 @@ std::unique_ptr<LatentBackend> backend_of(const LatentTask& task) {
 
 double loss_of(const std::vector<double>& losses) { return losses.at(0) + losses.at(1); }
 
-TEST(Vae, HasTheLossesOfANetworkWorkedByHand) {
+TEST(Vae, HasTheHandWorkedLosses) {
   // One sample, one class, one latent number, single layers: x = 2, q = N(0.5 x, 1), so z = 1 +
   // noise; decoded 0.25 z + 1. KL(N(m, 1) || N(0, 1)) = m^2 / 2.
   LatentTask task = example_task(1, 1, 1);
@@ -39,7 +39,7 @@ TEST(Vae, HasTheLossesOfANetworkWorkedByHand) {
 }
 
 // KL(N(m, s^2) || N(0, 1)) = (m^2 + s^2 - 1) / 2 - log s
-TEST(Vae, HasTheClosedFormOfTheDivergenceAddedOverNumbersAndAveragedOverWindows) {
+TEST(Vae, SumsTheClosedFormDivergenceAndAveragesOverWindows) {
   LatentTask task = example_task(1, 1, 2);
   task.generator.size.depth = 1;
   task.windows = {1, -1};

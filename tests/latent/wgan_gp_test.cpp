@@ -40,7 +40,7 @@ LatentTask linear_task() {
 const std::vector<float> linear_values{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 2, -3, 6, 7, -5, 0.5F};
 const std::vector<std::size_t> both{0, 1};
 
-TEST(WganGp, HasTheLossesOfALinearCriticWorkedByHand) {
+TEST(WganGp, HasTheHandWorkedLossesOfALinearCritic) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, never_the_generator);
   backend->set_values(linear_values);
@@ -53,7 +53,7 @@ TEST(WganGp, HasTheLossesOfALinearCriticWorkedByHand) {
 
 // The gradient of -wasserstein + 10 (|w| - 1)^2 by w: mean generated minus mean known, plus 20 (1 -
 // 1/|w|) w.
-TEST(WganGp, CriticFollowsTheClosedFormWhereItIsLinear) {
+TEST(WganGp, LinearCriticFollowsTheClosedForm) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, never_the_generator);
   backend->set_values(linear_values);
@@ -67,7 +67,7 @@ TEST(WganGp, CriticFollowsTheClosedFormWhereItIsLinear) {
   }
 }
 
-TEST(WganGp, StaysFiniteWhereTheScoreIsFlat) {
+TEST(WganGp, StaysFiniteForAFlatScore) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, never_the_generator);
   std::vector<float> values = linear_values;
@@ -80,7 +80,7 @@ TEST(WganGp, StaysFiniteWhereTheScoreIsFlat) {
 
 // The derivative of the mean score of windows W z + V class + b by each bias is the critic's weight
 // w. The critic has taken its own step before.
-TEST(WganGp, GeneratorFollowsTheCriticWhereItIsLinear) {
+TEST(WganGp, GeneratorFollowsALinearCritic) {
   const LatentTask task = linear_task();
   const auto backend = backend_of(task, always_the_generator);
   backend->set_values(linear_values);
@@ -98,7 +98,7 @@ TEST(WganGp, GeneratorFollowsTheCriticWhereItIsLinear) {
   }
 }
 
-TEST(WganGp, GeneratorStepsAfterSoManyOfTheCritic) {
+TEST(WganGp, GeneratorStepsAfterCriticSteps) {
   const LatentTask task = example_task(20, 3, 4);
   const auto backend = backend_of(task, {.critic_steps = 3, .penalty = 10});
   const std::size_t generator_size = nets::total_size(generator_specs(task.generator));

@@ -14,7 +14,7 @@ using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(AdamOf, Precisions, );
 
 // Algorithm 1 of Kingma and Ba, written out for one parameter, beta 0.9 and 0.999.
-TYPED_TEST(AdamOf, OneParameterTakesTheThreeStepsWorkedByHand) {
+TYPED_TEST(AdamOf, OneParameterTakesTheHandWorkedSteps) {
   const double tolerance = std::is_same_v<TypeParam, float> ? 2e-7 : 1e-8;
   Adam<TypeParam> adam(1);
   TypeParam value = 1;
@@ -36,7 +36,7 @@ TYPED_TEST(AdamOf, OneParameterTakesTheThreeStepsWorkedByHand) {
 }
 
 // More parameters than fill the vectors of any processor, each with its own gradient.
-TYPED_TEST(AdamOf, EveryParameterOfManyTakesItsOwnSteps) {
+TYPED_TEST(AdamOf, EachParameterTakesItsOwnSteps) {
   constexpr std::size_t size = 77;
   std::vector<TypeParam> together(size, 1);
   Adam<TypeParam> all(size);
@@ -59,7 +59,7 @@ TYPED_TEST(AdamOf, EveryParameterOfManyTakesItsOwnSteps) {
   }
 }
 
-TYPED_TEST(AdamOf, AParameterWithoutAGradientStaysWhereItIs) {
+TYPED_TEST(AdamOf, ParameterWithoutAGradientDoesNotMove) {
   Adam<TypeParam> adam(1);
   TypeParam value = 3;
   const TypeParam nothing = 0;
@@ -68,7 +68,7 @@ TYPED_TEST(AdamOf, AParameterWithoutAGradientStaysWhereItIs) {
 }
 
 // The corrections of the first step reduce a gradient g to g / |g|, for all constants.
-TYPED_TEST(AdamOf, TheFirstStepIsAsLongAsTheLearningRate) {
+TYPED_TEST(AdamOf, FirstStepHasTheLengthOfTheLearningRate) {
   for (const double beta1 : {0.5, 0.9}) {
     TypeParam value = 0;
     TypeParam first_moment = 0;

@@ -94,7 +94,7 @@ void expect_near(const std::vector<double>& mine, const std::vector<double>& exp
   }
 }
 
-TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
+TEST(DenseChain, AppliesReluBetweenLayersOnly) {
   const auto parameters =
       std::make_shared<Parameters<double>>(dense_chain_specs("net", 2, 2, {2, 2}), Stream("test"));
   const std::vector<float> values{1, -2, 3,  1,  0.5F, -1,  // first weight and bias
@@ -110,7 +110,7 @@ TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
   EXPECT_TRUE((copied(chain.forward(2), 2, 2) == expected).all());
 }
 
-TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
+TEST(DenseChain, DoesNotUseLayersOfALongerName) {
   std::vector<ParameterSpec> specs = dense_chain_specs("a", 2, 2, {1, 2});
   append(specs, dense_chain_specs("ab", 2, 3, {1, 2}));
   const auto parameters = std::make_shared<Parameters<double>>(specs, Stream("test"));
@@ -160,7 +160,7 @@ std::vector<float> all_kept(const Example& example) {
 }
 
 /// 5 rows need one pass over a weight for going back and learning, 20 rows need two.
-TEST_P(DenseChains, GoBackAndLearnInOnePassAsInTwo) {
+TEST_P(DenseChains, BackpropagateInOnePassAsInTwo) {
   const auto [depth, rows] = GetParam();
   for (const bool by_input : {true, false}) {
     Example two(depth);
@@ -221,7 +221,7 @@ TEST(DenseChain, DifferentiatesAFunctionOfItsGradientByTheInput) {
   }
 }
 
-TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
+TEST(DenseChain, ResultOfARowDoesNotDependOnOtherRows) {
   Example example;
   const Array x = random_array("x", 13, inputs);
   const Array all = example.forward(x);
@@ -230,20 +230,20 @@ TEST(DenseChain, ResultOfARowDoesNotDependOnTheRowsBesideIt) {
   }
 }
 
-TEST(DenseChain, HasNoRoomForMoreRowsThanItWasMadeFor) {
+TEST(DenseChain, RefusesMoreRowsThanItsCapacity) {
   Example example(3, 4);
   EXPECT_THROW(example.chain.forward(5), std::logic_error);
   EXPECT_THROW(example.chain.backward(3, 2, no_rows), std::logic_error);
   EXPECT_THROW(example.chain.forward_derivative(2, 3), std::logic_error);
 }
 
-TEST(DenseChain, RefusesANameThatNoParameterHas) {
+TEST(DenseChain, RefusesAnUnknownParameterName) {
   Example example;
   EXPECT_THROW(Chain(example.parameters, "another", 4), std::logic_error);
 }
 
 // Rows are padded to whole vectors, in values and in Adam's moments.
-TEST(DenseChain, WhatFillsRowsUpStaysZero) {
+TEST(DenseChain, PaddingStaysZero) {
   Example example;
   const Array x = random_array("x", 5, inputs);
   const Array slope = random_array("slope", 5, outputs);
@@ -264,7 +264,7 @@ TEST(DenseChain, WhatFillsRowsUpStaysZero) {
 }
 
 // See adam_test.cpp.
-TEST(DenseChain, MomentsOfAnInputThatIsZeroFromThenOnFadeToZero) {
+TEST(DenseChain, MomentsOfAZeroInputFadeToZero) {
 #if !defined(__SSE__)
   GTEST_SKIP() << "this processor keeps denormal numbers";
 #endif

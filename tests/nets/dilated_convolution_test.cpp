@@ -19,7 +19,7 @@ LayerExample convolution(std::int64_t length, const DilatedTaps& taps, std::int6
 }
 
 /// Only the first channel has weights: 1, 10 and 100 for the taps, and a bias of 0.5.
-TEST(DilatedConvolution, ReadsPositionsOnBothSidesItsDilationApartAndZerosBeyondTheEnds) {
+TEST(DilatedConvolution, ReadsDilatedPositionsOnBothSidesAndZerosBeyondTheEnds) {
   LayerExample example = convolution(5, {.kernel = 3, .dilation = 2});
   std::vector<float> values(16 * 3 * 16 + 16);
   for (const std::size_t tap : {0, 1, 2}) values[tap * 16] = tap == 0 ? 1 : tap == 1 ? 10 : 100;
@@ -46,7 +46,7 @@ TEST(DilatedConvolution, HasTheGradientsOfFiniteDifferences) {
   expect_gradients_of_differences(wide, 1);
 }
 
-TEST(DilatedConvolution, NeedsChannelsThatAreWholeRows) {
+TEST(DilatedConvolution, NeedsChannelsThatFillWholeRows) {
   EXPECT_THROW(convolution(4, {.kernel = 3, .dilation = 1}, 15), std::logic_error);
   EXPECT_THROW(convolution(4, {.kernel = 3, .dilation = 1}, 16, 17), std::logic_error);
 }

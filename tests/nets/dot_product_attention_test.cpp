@@ -37,7 +37,7 @@ TEST(DotProductAttention, WeighsValuesByTheSoftmaxOfItsScoresHeadByHead) {
   EXPECT_NEAR(y[16 + 8], 2, 1e-12);
 }
 
-TEST(DotProductAttention, IsFiniteWhateverTheScores) {
+TEST(DotProductAttention, IsFiniteForAnyScores) {
   LayerExample example = attention(2, 16, 2);
   std::vector<double> x(2 * 48, 1e4);
   for (const double y : example.forward(x, 1)) EXPECT_NEAR(y, 1e4, 1e-8);
@@ -50,7 +50,7 @@ TEST(DotProductAttention, HasTheGradientsOfFiniteDifferences) {
   }
 }
 
-TEST(DotProductAttention, SharesItsWidthEvenly) {
+TEST(DotProductAttention, NeedsAWidthThatItsHeadsDivide) {
   EXPECT_THROW(attention(3, 16, 3), std::logic_error);
 }
 

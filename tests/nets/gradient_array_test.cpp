@@ -19,7 +19,7 @@ std::shared_ptr<Parameters<double>> two_networks() {
   return std::make_shared<Parameters<double>>(specs, Stream("test"));
 }
 
-TEST(GradientArray, LiesAsTheParametersOfItsNetworkDo) {
+TEST(GradientArray, HasTheLayoutOfItsParameters) {
   const auto parameters = two_networks();
   GradientArray<double> gradients(parameters, "ab");
   const TrainedParameter<double> weight = gradients.find("dense/weight");
@@ -31,7 +31,7 @@ TEST(GradientArray, LiesAsTheParametersOfItsNetworkDo) {
   EXPECT_EQ(bias.gradient - weight.gradient, bias.values - weight.values);
 }
 
-TEST(GradientArray, NeedsParametersThatStandTogether) {
+TEST(GradientArray, NeedsContiguousParameters) {
   EXPECT_THROW(GradientArray<double>(two_networks(), "a"), std::logic_error);
   EXPECT_THROW(GradientArray<double>(two_networks(), "c"), std::logic_error);
   GradientArray<double> gradients(two_networks(), "ab");
@@ -39,7 +39,7 @@ TEST(GradientArray, NeedsParametersThatStandTogether) {
 }
 
 // Adam's first step moves a parameter by the learning rate against its gradient, whatever its size.
-TEST(GradientArray, TakesAStepOfAdamForItsNetworkAlone) {
+TEST(GradientArray, TakesAnAdamStepForItsNetworkOnly) {
   const auto parameters = two_networks();
   const std::vector<float> before = parameters->read(Kept::value);
   GradientArray<double> gradients(parameters, "ab");

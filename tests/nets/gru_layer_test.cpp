@@ -60,7 +60,7 @@ TEST(GruLayer, ReadsItsPositionsInTurn) {
   }
 }
 
-TEST(GruLayer, IsGivenOneInputAsIfItWereGivenItAtEachPosition) {
+TEST(GruLayer, TreatsOneInputAsTheInputOfEachPosition) {
   const std::vector<double> x = random_numbers("x", 16);
   std::vector<double> repeated;
   for (int t = 0; t < 3; ++t) repeated.insert(repeated.end(), x.begin(), x.end());
@@ -76,14 +76,14 @@ TEST(GruLayer, HasTheGradientsOfFiniteDifferences) {
   expect_gradients_of_differences(single, 3);
 }
 
-TEST(GruLayer, LeavesNothingBehindForTheNextBatch) {
+TEST(GruLayer, KeepsNoStateBetweenBatches) {
   for (const std::int64_t input_length : {1, 4}) {
     expect_that_batches_leave_nothing_behind(gru_of(input_length, 4),
                                              gru_specs("net/gru", 16, gru_units));
   }
 }
 
-TEST(GruLayer, ShowsThatItsInputIsNotANumber) {
+TEST(GruLayer, PropagatesNan) {
   LayerExample example = recurrent(2, 2);
   std::vector<double> x = random_numbers("x", std::int64_t{2} * 2 * 16);
   x[2 * 16 + 3] = std::numeric_limits<double>::quiet_NaN();
@@ -92,7 +92,7 @@ TEST(GruLayer, ShowsThatItsInputIsNotANumber) {
   EXPECT_TRUE(std::isnan(y[4 * 16 - 1]));
 }
 
-TEST(GruLayer, RefusesUnitsAndLengthsThatItCannotHave) {
+TEST(GruLayer, RefusesImpossibleUnitsAndLengths) {
   EXPECT_THROW(recurrent(2, 2, 17), std::logic_error);
   EXPECT_THROW(recurrent(2, 3), std::logic_error);
 }

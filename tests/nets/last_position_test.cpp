@@ -7,7 +7,7 @@
 namespace piae::nets {
 namespace {
 
-TEST(LastPosition, IsTheLastOneOfEachWindow) {
+TEST(LastPosition, IsTheLastOfEachWindow) {
   LayerExample example = example_of_shape<LastPosition<double>>({.length = 2, .width = 16});
   std::vector<double> x(2 * 2 * 16);
   x[3] = 5;

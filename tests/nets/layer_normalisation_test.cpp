@@ -19,7 +19,7 @@ LayerExample normalisation(std::int64_t length, std::int64_t width) {
 }
 
 // Eight numbers at 3 and eight at 7: mean 5, variance 4.
-TEST(LayerNormalisation, BeginsWithMeanZeroAndVarianceOne) {
+TEST(LayerNormalisation, StartsWithMeanZeroAndVarianceOne) {
   LayerExample example = normalisation(2, 16);
   std::vector<double> x(2 * 16);
   for (std::size_t i = 0; i < 16; ++i) {
@@ -43,7 +43,7 @@ TEST(LayerNormalisation, HasTheGradientsOfFiniteDifferences) {
   expect_gradients_of_differences(example, 2);
 }
 
-TEST(LayerNormalisation, NeedsAWidthOfWholeRows) {
+TEST(LayerNormalisation, NeedsAWidthThatFillsWholeRows) {
   EXPECT_THROW(normalisation(3, 12), std::logic_error);
 }
 

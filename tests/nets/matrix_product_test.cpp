@@ -49,7 +49,7 @@ class MatrixProductShapes : public testing::TestWithParam<std::int64_t> {};
 // From less than a tile to several with every remainder, in rows and, by whole vectors, in columns.
 INSTANTIATE_TEST_SUITE_P(Rows, MatrixProductShapes, testing::Range<std::int64_t>(1, 20));
 
-TEST_P(MatrixProductShapes, EqualTheDefinition) {
+TEST_P(MatrixProductShapes, MatchTheDefinition) {
   const std::vector<double> a = drawn_numbers(1000, "a");
   const std::vector<double> b = drawn_numbers(3000, "b");
   for (std::int64_t columns = row_granule; columns <= 9 * row_granule; columns += row_granule) {
@@ -68,7 +68,7 @@ TEST_P(MatrixProductShapes, EqualTheDefinition) {
   }
 }
 
-TEST(MatrixProduct, EqualsTheDefinitionForTransposedAndOverlappingMatricesInBlocks) {
+TEST(MatrixProduct, MatchesTheDefinitionForTransposedAndOverlappingMatricesInBlocks) {
   const std::vector<double> a = drawn_numbers(1000, "a");
   const std::vector<double> b = drawn_numbers(2000, "b");
   MatrixProduct<double> product{.a = a.data(),
@@ -93,7 +93,7 @@ TEST(MatrixProduct, EqualsTheDefinitionForTransposedAndOverlappingMatricesInBloc
   }
 }
 
-TEST(MatrixProduct, ARowDoesNotDependOnThoseBesideIt) {
+TEST(MatrixProduct, RowDoesNotDependOnOtherRows) {
   const std::vector<double> numbers = drawn_numbers(2000, "a");
   const std::vector<float> a(numbers.begin(), numbers.end());
   const std::vector<float> b(numbers.rbegin(), numbers.rend());

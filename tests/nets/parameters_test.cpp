@@ -18,7 +18,7 @@ std::vector<ParameterSpec> example_specs() {
   return specs;
 }
 
-TEST(Parameters, FillRowsUpWithZerosThatStay) {
+TEST(Parameters, PadRowsWithZerosThatStay) {
   Flat flat(example_specs(), Stream("initial"));
   const auto& weight = flat.find("a/0/weight");
   EXPECT_EQ(weight.held_columns, whole_rows(21));
@@ -51,7 +51,7 @@ TEST(Parameters, MomentsAreStoredWithTheSteps) {
   EXPECT_EQ(other.read(Flat::Kept::second_moment, "b/"), std::vector<float>(3, 0.0F));
 }
 
-TEST(StoredParameters, AreReadAsTheyWereWrittenAndRefusedInAnotherShape) {
+TEST(StoredParameters, AreReadAsWrittenAndRefusedInAnotherShape) {
   const std::vector<ParameterSpec> specs = example_specs();
   const std::vector<float> values = Parameters<float>(specs, Stream("x")).read(Flat::Kept::value);
   artefact::Writer writer("model");

@@ -7,7 +7,7 @@
 namespace piae::nets {
 namespace {
 
-TEST(PositionCopy, GivesEachPositionTheSame) {
+TEST(PositionCopy, CopiesTheInputToEachPosition) {
   LayerExample example = example_of_shape<PositionCopy<double>>(three_by_sixteen);
   std::vector<double> x(2 * 16);
   x[2] = 7;

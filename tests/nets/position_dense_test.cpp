@@ -33,7 +33,7 @@ TEST(PositionDense, HasTheGradientsOfFiniteDifferences) {
   expect_gradients_of_differences(whole, 3);
 }
 
-TEST(PositionDense, HasNoBiasWhereNoneIsAskedFor) {
+TEST(PositionDense, HasNoBiasUnlessRequested) {
   LayerExample example(
       [](GradientArray<double>& parameters) {
         return std::make_unique<PositionDense<double>>(parameters, "dense", 2, Bias::absent);
@@ -44,7 +44,7 @@ TEST(PositionDense, HasNoBiasWhereNoneIsAskedFor) {
 }
 
 // The padding of the input is zero.
-TEST(PositionDense, OfNarrowRowsHasGradientsWithoutTheFilling) {
+TEST(PositionDense, GradientsOfNarrowRowsExcludeThePadding) {
   LayerExample example = dense_at_positions(3, 2, 1);
   std::vector<double> x(2 * 16);
   for (const std::size_t i : {0, 1, 2, 16, 17, 18}) x[i] = 0.5 * static_cast<double>(i) - 3;

@@ -7,7 +7,7 @@
 namespace piae::nets {
 namespace {
 
-TEST(Relu, LeavesWhatIsAboveZero) {
+TEST(Relu, KeepsPositiveValues) {
   LayerExample example = example_of_shape<Relu<double>>({.length = 1, .width = 16});
   std::vector<double> x(16, -1);
   x[5] = 2;

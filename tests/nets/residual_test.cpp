@@ -8,7 +8,7 @@
 namespace piae::nets {
 namespace {
 
-TEST(Residual, AddsWhatWentIn) {
+TEST(Residual, AddsItsInput) {
   LayerExample example([](GradientArray<double>&) {
     return std::make_unique<Residual<double>>(std::make_unique<Relu<double>>(three_by_sixteen));
   });

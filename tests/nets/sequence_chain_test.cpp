@@ -15,7 +15,7 @@ namespace {
 
 // One row of 48 numbers becomes three positions of 16 numbers, the input of two further dense
 // layers.
-TEST(SequenceChain, HasTheGradientsOfFiniteDifferencesThroughOtherShapes) {
+TEST(SequenceChain, HasTheGradientsOfFiniteDifferencesThroughDifferentShapes) {
   std::vector<ParameterSpec> specs = dense_specs("net/all", 16, 48);
   append(specs, dense_specs("net/each", 16, 16));
   append(specs, dense_specs("net/last", 16, 16));

@@ -28,7 +28,7 @@ struct OneUnit {
   std::unique_ptr<SequenceNetwork<double>> network;
 };
 
-TEST(SequenceNetwork, GivesBackTheGradientsOfTheRowsThatAreAskedFor) {
+TEST(SequenceNetwork, ReturnsTheGradientsOfTheRequestedRows) {
   OneUnit unit(4);
   Array x(2, 2);
   x << 3, 1, -1, 4;
@@ -60,7 +60,7 @@ TEST(SequenceNetwork, TakesStepsOfAdam) {
   EXPECT_NEAR(after[2], 0.75, 1e-6);
 }
 
-TEST(SequenceNetwork, HasNoRoomForMoreRowsThanItWasMadeFor) {
+TEST(SequenceNetwork, RefusesMoreRowsThanItsCapacity) {
   OneUnit unit(3);
   EXPECT_THROW(unit.network->forward(4), std::logic_error);
   unit.network->forward(2);

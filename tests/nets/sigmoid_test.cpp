@@ -54,7 +54,7 @@ TYPED_TEST(GateFunctions, AreExactToAFewUnitsInTheLastPlace) {
   EXPECT_LT(Of::largest_error(&Of::tangent, tanh_of, 30), 3);
 }
 
-TYPED_TEST(GateFunctions, HaveTheirLimitsFarFromZero) {
+TYPED_TEST(GateFunctions, ReachTheirLimitsFarFromZero) {
   using Of = GateFunctions<TypeParam>;
   constexpr TypeParam far = std::numeric_limits<TypeParam>::max();
   EXPECT_EQ(Of::at(&Of::logistic, far), 1);
@@ -68,7 +68,7 @@ TYPED_TEST(GateFunctions, HaveTheirLimitsFarFromZero) {
 }
 
 // The NaN in the loss reveals a training that diverges.
-TYPED_TEST(GateFunctions, KeepANaN) {
+TYPED_TEST(GateFunctions, PropagateNan) {
   using Of = GateFunctions<TypeParam>;
   constexpr TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();
   EXPECT_TRUE(std::isnan(Of::logistic(Vector<TypeParam>{} + nan)[0]));

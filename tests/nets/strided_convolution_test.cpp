@@ -105,7 +105,7 @@ TEST_P(StridedConvolutions, HaveTheGradientsOfFiniteDifferences) {
   }
 }
 
-TEST_P(StridedConvolutions, LeaveNothingBehindForTheNextBatch) {
+TEST_P(StridedConvolutions, KeepNoStateBetweenBatches) {
   for (const ConvolutionKind kind : {ConvolutionKind::strided, ConvolutionKind::transposed}) {
     expect_that_batches_leave_nothing_behind(shape_.layer(kind), shape_.specs(kind));
   }
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Nets, StridedConvolutions,
                                   std::to_string(info.param.stride);
                          });
 
-TEST(StridedConvolution, RefusesWhatIsNone) {
+TEST(StridedConvolution, RefusesImpossibleShapes) {
   const auto layer_of = [](std::vector<std::int64_t> weight, std::int64_t length) {
     const std::int64_t outputs = weight[0];
     return LayerExample(

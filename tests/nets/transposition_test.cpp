@@ -8,7 +8,7 @@ namespace piae::nets {
 namespace {
 
 // A length that is not a multiple of the squares' 16, and two windows.
-TEST(Transposition, PutsOneChannelAfterTheOther) {
+TEST(Transposition, StoresChannelsOneAfterAnother) {
   LayerExample example = example_of_shape<Transposition<double>>({.length = 19, .width = 32});
   EXPECT_EQ(example.layer->output(), (SequenceShape{.length = 32, .width = 19}));
   const std::vector<double> x = random_numbers("x", std::int64_t{2} * 19 * 32);

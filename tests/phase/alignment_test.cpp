@@ -79,7 +79,7 @@ std::vector<double> angle_errors(signal::Defect defect) {
 // Tests the alignment on simulated windows, 10 dB above the noise, for each fault type. A random
 // angle would have a median error of pi / 2. One sample is 0.056 rad of an outer race's impacts,
 // 0.085 of an inner race's, 0.074 of a ball's.
-TEST(Align, InfersTheStrikeAnglesOfWindowsThatSlipAndDiffer) {
+TEST(Align, InfersTheImpactAnglesOfWindowsThatSlipAndDiffer) {
   for (const auto defect : {signal::Defect::outer, signal::Defect::inner, signal::Defect::roller}) {
     const std::vector<double> errors = angle_errors(defect);
     EXPECT_LT(errors[errors.size() / 2], 0.12) << static_cast<int>(defect);

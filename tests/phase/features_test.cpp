@@ -32,7 +32,7 @@ TEST(Autocorrelation, EqualsItsDefinition) {
 
 // exp(-a t) cos(w t) for t >= 0 has the autocorrelation exp(-a lag) cos(w lag) if a is much smaller
 // than w. The inference gets stiffness and damping from this form.
-TEST(Autocorrelation, OfARingingIsTheRinging) {
+TEST(Autocorrelation, RingingGivesTheRinging) {
   constexpr double decay = 0.02;
   constexpr double pitch = 0.9;
   std::vector<float> window(1024);
@@ -47,7 +47,7 @@ TEST(Autocorrelation, OfARingingIsTheRinging) {
   }
 }
 
-TEST(Autocorrelation, OfAConstantWindowIsNoNumber) {
+TEST(Autocorrelation, ConstantWindowGivesNan) {
   EXPECT_FALSE(std::isfinite(autocorrelation(std::vector<float>(512, 1.5F)).front()));
 }
 

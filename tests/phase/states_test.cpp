@@ -8,7 +8,7 @@ namespace piae::phase {
 namespace {
 
 // Class 1: log k = 0 and 2, mean 1, deviation 1; log c = 1 and 1, no spread. Class 2: one point.
-TEST(StateScale, FreesLogarithmsOfTheirClassMeanAndSpread) {
+TEST(StateScale, RemovesClassMeanAndSpreadFromLogarithms) {
   const std::vector<twin::TwinPoint> points{{1, std::exp(1)}, {std::exp(2), std::exp(1)}, {5, 7}};
   const std::vector<std::int32_t> labels{1, 1, 2};
   const StateScale scale(points, labels, 3);

@@ -44,7 +44,7 @@ fs::path train(const nets::Checkpoint& checkpoint, const std::string& name) {
 
 // Cuts within the first round, at its end, within the second, at its end, and within the twin's
 // training.
-TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
+TEST(PhaseTraining, ContinuedTrainingEqualsAnUninterruptedOne) {
   const std::string uncut = bytes_of(train(checkpoint_at("uncut.ckpt"), "uncut.h5"));
   for (const int cut : {1, 3, 5, 6, 8}) {
     nets::Checkpoint checkpoint = checkpoint_at("cut.ckpt");
@@ -58,7 +58,7 @@ TEST(PhaseTraining, CutAnywhereAndContinuedEqualsAnUncutOne) {
 
 /// Two classes, with 4 simulations each in the first round and 12 in the second; 10 known windows.
 /// The estimate of the remaining time uses the effort, so each part must count its own work.
-TEST(PhaseTraining, EffortIsThatOfWhatAnEpochWorksThrough) {
+TEST(PhaseTraining, EffortMatchesTheWorkOfAnEpoch) {
   const auto training = make_phase_training(simulated_windows(5, "known"), quick_options(),
                                             Stream("test"), twin::one_core_engine(Device::cpu));
   ASSERT_EQ(training->epochs(), 10U);
@@ -88,7 +88,7 @@ TEST(PhaseGeneration, FirstWindowsDoNotDependOnTheirNumber) {
 
 // Window 1 of a class draws its two states and its start on the cycle from its own child of the
 // stream.
-TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
+TEST(PhaseGeneration, StoresTheStartAngleOfEachWindow) {
   const artefact::Reader model(train(checkpoint_at("said.ckpt"), "said.h5"), "model");
   const signal::WindowSet windows =
       generate(model, 40, Stream("generate"), twin::one_core_engine(Device::cpu));
@@ -119,7 +119,7 @@ TEST(PhaseGeneration, SaysAtWhichAngleEachWindowStarts) {
 
 // Uses a trained decoder. A start j samples later gives the same window j samples earlier, bit for
 // bit, before and after the change of state. A start one cycle later gives the same window.
-TEST(PhaseGeneration, AnotherStartAngleShiftsWhatTheDecoderGives) {
+TEST(PhaseGeneration, StartAngleShiftsTheDecoderOutput) {
   const artefact::Reader model(train(checkpoint_at("angle.ckpt"), "angle.h5"), "model");
   constexpr Label outer = 2;
   constexpr std::size_t length = 1024;

@@ -48,7 +48,7 @@ double above(double value, int steps) {
 /// Squares about the mean: 0.004 (4 degrees of freedom) and 0.0008 (1): variance 0.0048 / 5. The
 /// standard error of the difference of two means of 2 is sqrt(0.00096 (1/2 + 1/2)). 5.51: the
 /// Guide to the Expression of Uncertainty in Measurement, Table G.2, 99.73 %.
-TEST(Deviations, OfTwoSeedsUsesTheSpreadOfAllThatAreStored) {
+TEST(Deviations, UseTheSpreadOfAllStoredSeedsForTwoSeeds) {
   const Deviations deviations =
       find_deviations(side({0.60, 0.62, 0.64, 0.66, 0.68}), side({0.60, 0.64}), {.seeds = {0, 1}},
                       Tolerance::spread);
@@ -66,7 +66,7 @@ TEST(Deviations, OfTwoSeedsUsesTheSpreadOfAllThatAreStored) {
 
 /// Squares 10 and 10 with 8 degrees of freedom: variance 2.5, standard error sqrt(2.5 * 2 / 5) = 1.
 /// 4.28: the same table.
-TEST(Deviations, EndsAtAsManyStandardErrorsAsChanceMayExplain) {
+TEST(Deviations, AllowTheStandardErrorsThatChanceExplains) {
   const auto shifted_by = [](double shift) {
     return only_row({1, 2, 3, 4, 5}, {1 + shift, 2 + shift, 3 + shift, 4 + shift, 5 + shift},
                     Tolerance::spread);
@@ -82,7 +82,7 @@ TEST(Deviations, EndsAtAsManyStandardErrorsAsChanceMayExplain) {
 
 /// Few seeds. Squares of `vae`: none (2 degrees of freedom); of `ae`: 2 + 2 (2). Variance together
 /// 4 / 4 = 1, of `ae` alone 2. 6.62: the same table.
-TEST(Deviations, OfFewSeedsBorrowsTheSpreadOfTheOtherRows) {
+TEST(Deviations, UseTheSpreadOfOtherRowsForFewSeeds) {
   Measurements reference = side({10, 10});
   Measurements run = side({11, 11});
   add(reference, "ae", {1, 3});
@@ -96,7 +96,7 @@ TEST(Deviations, OfFewSeedsBorrowsTheSpreadOfTheOtherRows) {
   EXPECT_TRUE(deviations.acceptable());
 }
 
-TEST(Deviations, OfManySeedsKeepsItsOwnSpread) {
+TEST(Deviations, UseTheirOwnSpreadForManySeeds) {
   Measurements reference = side({1, 2, 3, 4, 5});
   Measurements run = side({1, 2, 3, 4, 5});
   add(reference, "ae", {0, 1000});
@@ -105,20 +105,20 @@ TEST(Deviations, OfManySeedsKeepsItsOwnSpread) {
   EXPECT_NEAR(*deviations.rows.front().standard_error, 1, 1e-12);
 }
 
-TEST(Deviations, OfOneSeedAllowsNoChange) {
+TEST(Deviations, AllowNoChangeForOneSeed) {
   EXPECT_TRUE(only_row({0.5}, {0.5}, Tolerance::spread).within);
   const DeviationRow moved = only_row({0.5}, {0.501}, Tolerance::spread);
   EXPECT_FALSE(moved.within);
   EXPECT_FALSE(moved.standard_errors());
 }
 
-TEST(Deviations, WithoutScatterAllowsNoChange) {
+TEST(Deviations, AllowNoChangeWithoutScatter) {
   EXPECT_TRUE(only_row({1, 1, 1}, {1, 1, 1}, Tolerance::spread).within);
   const DeviationRow moved = only_row({1, 1, 1}, {0.99, 0.99, 0.99}, Tolerance::spread);
   EXPECT_FALSE(moved.within);
 }
 
-TEST(Deviations, IsExactToFourUnitsInTheLastPlace) {
+TEST(Deviations, AreExactToFourUnitsInTheLastPlace) {
   EXPECT_TRUE(only_row({0.5, 0.7}, {above(0.5, 4), 0.7}, Tolerance::exact).within);
   const DeviationRow moved = only_row({0.5, 0.7}, {above(0.5, 5), 0.7}, Tolerance::exact);
   EXPECT_FALSE(moved.within);
@@ -127,11 +127,11 @@ TEST(Deviations, IsExactToFourUnitsInTheLastPlace) {
 }
 
 /// The means agree, but the seeds do not.
-TEST(Deviations, IsExactSeedBySeed) {
+TEST(Deviations, AreExactSeedBySeed) {
   EXPECT_FALSE(only_row({0.5, 0.7}, {0.7, 0.5}, Tolerance::exact).within);
 }
 
-TEST(Deviations, IsExactOnlyWhereBothSidesHaveOneAndTheSameSettings) {
+TEST(Deviations, AreExactOnlyForEqualSettings) {
   const Measurements here = side({1});
   EXPECT_EQ(tolerance_for(here, side({1})), Tolerance::exact);
   EXPECT_EQ(tolerance_for(here, side({1}, "another machine")), Tolerance::spread);
@@ -140,7 +140,7 @@ TEST(Deviations, IsExactOnlyWhereBothSidesHaveOneAndTheSameSettings) {
   EXPECT_EQ(tolerance_for(mixed, mixed), Tolerance::spread);
 }
 
-TEST(Deviations, NamesCellsOfOneSideOnly) {
+TEST(Deviations, NameCellsOfOneSideOnly) {
   Measurements reference = side({1, 2, 3});
   Measurements run = side({1});
   add(reference, "ae", {1});
@@ -158,7 +158,7 @@ TEST(Deviations, NamesCellsOfOneSideOnly) {
 }
 
 // An untrained classifier scatters less. This must not narrow the tolerance for a trained one.
-TEST(Deviations, AreJudgedByTheScatterOfTheirOwnClassifier) {
+TEST(Deviations, UseTheScatterOfTheirOwnClassifier) {
   const auto with_nearest = [](std::vector<double> values) {
     Measurements both = side({0.60, 0.64, 0.66});
     for (std::size_t seed = 0; seed < values.size(); ++seed) {
@@ -179,13 +179,13 @@ TEST(Deviations, AreJudgedByTheScatterOfTheirOwnClassifier) {
   EXPECT_EQ(deviations.rows[1].classifier, "nearest");
 }
 
-TEST(Deviations, NeedsOneDatasetAndProtocol) {
+TEST(Deviations, NeedOneDatasetAndProtocol) {
   Measurements other = side({1});
   other.protocol = signal::Protocol::blocked;
   EXPECT_THROW(find_deviations(side({1}), other, {}, Tolerance::exact), std::logic_error);
 }
 
-TEST(Deviations, ShowsWhatMoved) {
+TEST(Deviations, ShowWhatMoved) {
   Measurements reference = side({0.60, 0.62, 0.64, 0.66, 0.68});
   Measurements run = side({0.70, 0.62, 0.64, 0.66, 0.68}, "another machine");
   add(reference, "ae", {0.5, 0.7});

@@ -36,7 +36,7 @@ class Stored : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
+TEST_F(Stored, ReferenceIsReadToTheLastDigit) {
   Measurements written{
       "cwru", signal::Protocol::random, {}, {"0.1.0 (abc)", "0.2.0"}, {"a; b", "c"}};
   for (const double accuracy : {0.1 + 0.2, 1.0 / 3, 1e-17, 0.62}) {
@@ -64,14 +64,14 @@ TEST_F(Stored, ReferenceComesBackToTheLastDigit) {
   EXPECT_THAT(reference_datasets(folder_.path(), signal::Protocol::blocked), IsEmpty());
 }
 
-TEST_F(Stored, ReferenceThatIsDamagedOrMissingIsRefused) {
+TEST_F(Stored, DamagedOrMissingReferenceIsRefused) {
   const std::string made = "# built from: 1\n# computed with: 2\n";
   const std::string header = "method,classifier,ratio,quantity,seed,value\n";
   const std::string line = "vae,wdcnn,10to1,accuracy,0,0.5\n";
-  expect_refused(header + line, "does not say what it was made with", Exit::bad_input);
+  expect_refused(header + line, "lacks the first lines", Exit::bad_input);
   expect_refused(made + "method,seed\nvae,0\n", "line 3: is not the header", Exit::bad_input);
   expect_refused(made + header, "holds no table", Exit::bad_input);
-  expect_refused(made + header + line + line, "line 5: is there twice", Exit::bad_input);
+  expect_refused(made + header + line + line, "line 5: repeats an earlier line", Exit::bad_input);
   expect_refused(made + header + "vae,wdcnn,10to1,accuracy,-1,0.5\n", "'-1' is not a seed",
                  Exit::bad_input);
   expect_refused(made + header + "vae,wdcnn,10to1,accuracy,0.5,0.5\n", "'0.5' is not a seed",
@@ -87,7 +87,7 @@ TEST_F(Stored, ReferenceThatIsDamagedOrMissingIsRefused) {
     (void)read();
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("`make reference RUN=...` makes one"));
+    EXPECT_THAT(error.what(), HasSubstr("with `make reference RUN=...`"));
     EXPECT_EQ(error.exit(), Exit::input_missing);
   }
 }

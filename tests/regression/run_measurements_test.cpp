@@ -21,7 +21,7 @@ using RunMeasurements = StoredRun;
 
 /// Reads the run of support/stored_run.hpp. It has two classes: the metrics' means are (0.5 + 1e-7)
 /// / 2 and so on.
-TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
+TEST_F(RunMeasurements, HaveTheirVersionsAndSettings) {
   add_all();
   const std::vector<Measurements> datasets = read_run(folder_.path() / "run", {});
   ASSERT_EQ(datasets.size(), 1U);
@@ -51,7 +51,7 @@ TEST_F(RunMeasurements, IsReadWithWhatMadeIt) {
             "vae  spectral_distance_db 3.000000\n");
 }
 
-TEST_F(RunMeasurements, SaysWhichClassifierAnAccuracyIsOf) {
+TEST_F(RunMeasurements, HaveTheClassifierOfEachAccuracy) {
   add_all();
   add(by("nearest", diagnosis("none", "100to1", 0, 0, 19)));
   const auto run = folder_.path() / "run";
@@ -69,7 +69,7 @@ TEST_F(RunMeasurements, SaysWhichClassifierAnAccuracyIsOf) {
             1U);
 }
 
-TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
+TEST_F(RunMeasurements, ReadTheSelectionOnly) {
   add_all();
   const auto run = folder_.path() / "run";
   EXPECT_EQ(
@@ -82,7 +82,7 @@ TEST_F(RunMeasurements, IsReadAsFarAsItIsSelected) {
       ADD_FAILURE();
     } catch (const Error& error) {
       EXPECT_EQ(error.exit(), Exit::input_missing);
-      EXPECT_THAT(error.what(), HasSubstr("run: holds no diagnosis or score of those asked for"));
+      EXPECT_THAT(error.what(), HasSubstr("run: has none of the requested diagnoses and scores"));
     }
   }
 }
@@ -120,7 +120,7 @@ class OpenCounter {
   std::map<int, std::filesystem::path> names_;
 };
 
-TEST_F(RunMeasurements, OpensEachFileOnce) {
+TEST_F(RunMeasurements, OpenEachFileOnce) {
   add_all();
   std::vector<std::filesystem::path> cells;
   for (const int seed : {0, 1}) {
@@ -135,7 +135,7 @@ TEST_F(RunMeasurements, OpensEachFileOnce) {
   for (const auto& [file, count] : opened.counts()) EXPECT_EQ(count, 1) << file;
 }
 
-TEST_F(RunMeasurements, WithACellThatCannotBeIsNotCompared) {
+TEST_F(RunMeasurements, RefuseAnImpossibleCell) {
   add_all();
   const auto expect_refused = [&](const std::string& what) {
     try {

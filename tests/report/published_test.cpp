@@ -85,7 +85,7 @@ TEST_F(PublishedTables, HeadersMustBeKnown) {
                  ", line 1: field 2 of the header must be 'method'");
   expect_refused(methods_, "dataset\ncwru\n", ", line 1: field 2 of the header must be 'method'");
   expect_refused(methods_, "dataset,method,51to1\ncwru,vae,1\n",
-                 ", line 1: unknown ratio '51to1'; known are 100to1, 50to1, 25to1, 10to1, 5to1, "
+                 ", line 1: unknown ratio '51to1'; known: 100to1, 50to1, 25to1, 10to1, 5to1, "
                  "2to1, 1to1");
 }
 

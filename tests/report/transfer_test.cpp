@@ -278,7 +278,7 @@ TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {
   options_.inputs = {"none=cnn"};
   refused("'none=cnn' names no classifier that is trained");
   options_.classifiers = {"wdcnn cnn"};
-  refused("unknown classifier 'cnn'; known are wdcnn, ");
+  refused("unknown classifier 'cnn'; known: wdcnn, ");
 }
 
 TEST_F(TransferOfARun, RefusesDatasetsOfOtherSplits) {

@@ -26,7 +26,7 @@ TEST(Accuracy, IsTheShareOnTheDiagonal) {
 
 TEST(Accuracy, NeedsAWindow) { EXPECT_THROW(accuracy({2, {0, 0, 0, 0}}), std::logic_error); }
 
-TEST(Confusion, RefusesWhatDoesNotFit) {
+TEST(Confusion, RefusesMismatchedSizes) {
   const std::vector<std::int32_t> two{0, 1};
   EXPECT_THROW(confusion_matrix(two, std::vector<std::int32_t>{0}, 2), std::logic_error);
   EXPECT_THROW(confusion_matrix(two, std::vector<std::int32_t>{0, 2}, 2), std::logic_error);
@@ -34,7 +34,7 @@ TEST(Confusion, RefusesWhatDoesNotFit) {
 }
 
 /// Three of four correct in one class, none in another; the third has no windows.
-TEST(BalancedAccuracy, IsTheMeanOverTheClassesThatHaveWindows) {
+TEST(BalancedAccuracy, IsTheMeanOverClassesWithWindows) {
   const Confusion confusion =
       confusion_matrix(std::vector<Label>{0, 0, 0, 0, 2}, std::vector<Label>{0, 0, 0, 1, 0}, 3);
   EXPECT_DOUBLE_EQ(balanced_accuracy(confusion), (0.75 + 0) / 2);

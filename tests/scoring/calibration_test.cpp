@@ -11,7 +11,7 @@ namespace {
 /// them correct; none between.
 const std::vector<Judgement> five{{0.4, true}, {0.5, false}, {0.8, true}, {0.9, true}, {1, false}};
 
-TEST(Reliability, PutsEachScoreIntoTheBinThatEndsAtItOrAboveIt) {
+TEST(Reliability, PutsEachScoreIntoTheBinWithItsUpperEdgeAtOrAboveIt) {
   const std::vector<ScoreBin> bins = reliability(five, 4);
   ASSERT_EQ(bins.size(), 4U);
   EXPECT_EQ(bins[0].count, 0U);
@@ -26,7 +26,7 @@ TEST(Reliability, PutsEachScoreIntoTheBinThatEndsAtItOrAboveIt) {
   EXPECT_NEAR(bins[3].accuracy, 2 / 3.0, 1e-12);
 }
 
-TEST(Reliability, HasAPlaceForScoresAtAndBeyondTheEnds) {
+TEST(Reliability, AcceptsScoresAtAndBeyondTheEnds) {
   const std::vector<ScoreBin> bins =
       reliability(std::vector<Judgement>{{0, false}, {-1e-9, false}, {1 + 1e-7, true}}, 2);
   EXPECT_EQ(bins[0].count, 2U);
@@ -38,7 +38,7 @@ TEST(CalibrationError, WeighsTheDistanceInEachBinByItsCount) {
   EXPECT_NEAR(expected_calibration_error(reliability(five, 4)), expected, 1e-12);
 }
 
-TEST(CalibrationError, OfNoPredictionIsAnError) {
+TEST(CalibrationError, NeedsAPrediction) {
   EXPECT_THROW(expected_calibration_error(reliability({}, 4)), std::logic_error);
 }
 

@@ -17,7 +17,7 @@ DiagnosisRecord two_windows() {
   return record;
 }
 
-TEST(Judgements, AreTheLargestScoresAndWhetherTheNamedClassIsRight) {
+TEST(Judgements, HaveTheLargestScoreAndCorrectness) {
   const std::vector<Judgement> judgements = judgements_of(two_windows());
   ASSERT_EQ(judgements.size(), 2U);
   EXPECT_FLOAT_EQ(static_cast<float>(judgements[0].score), 0.8F);
@@ -27,14 +27,14 @@ TEST(Judgements, AreTheLargestScoresAndWhetherTheNamedClassIsRight) {
 }
 
 /// Each is alone in its bin, off by 0.2 and by 0.6; the more certain half is correct.
-TEST(Confidence, IsTheCalibrationErrorAndWhatMayBeAnswered) {
+TEST(Confidence, HasTheCalibrationErrorAndTheAnswerableShare) {
   const Confidence confidence = confidence_of(two_windows());
   EXPECT_NEAR(confidence.calibration_error, (0.2 + 0.6) / 2, 1e-7);
   EXPECT_EQ(confidence.answerable, 0.5);
   EXPECT_TRUE(confidence.tells);
 }
 
-TEST(Confidence, OfVotesIsSaidToTellNothing) {
+TEST(Confidence, VotesGiveNoConfidence) {
   DiagnosisRecord record = two_windows();
   record.scores = {0, 1, 0, 0, 0, 1};
   const Confidence confidence = confidence_of(record);

@@ -16,40 +16,40 @@ using Groups = std::vector<std::vector<std::size_t>>;
 const std::vector<Label> labels{1, 1, 0, 1, 1, 1, 1};
 const Places places{.record = {4, 4, 4, 2, 4, 4, 2}, .first_sample = {30, 0, 15, 5, 20, 10, 500}};
 
-TEST(ConsecutiveGroups, FollowEachOtherWithinOneRecordAndClass) {
+TEST(ConsecutiveGroups, AreWithinOneRecordAndClass) {
   EXPECT_EQ(consecutive_groups(labels, places, 2), (Groups{{3, 6}, {1, 5}, {4, 0}}));
 }
 
-TEST(ConsecutiveGroups, LeaveOutWhatFillsNoneAndRecordsThatAreTooShort) {
+TEST(ConsecutiveGroups, LeaveOutRemaindersAndShortRecords) {
   EXPECT_EQ(consecutive_groups(labels, places, 3), (Groups{{1, 5, 4}}));
   EXPECT_THAT(consecutive_groups(labels, places, 5), IsEmpty());
 }
 
-TEST(ConsecutiveGroups, OfOneWindowAreAllWindows) {
+TEST(ConsecutiveGroups, OfSizeOneAreAllWindows) {
   EXPECT_EQ(consecutive_groups(labels, places, 1), (Groups{{2}, {3}, {6}, {1}, {5}, {4}, {0}}));
 }
 
 /// A class in two conditions is in two records; a group must not span both.
-TEST(ConsecutiveGroups, AreOfOneConditionEvenWhereSamplesWouldFollow) {
+TEST(ConsecutiveGroups, AreWithinOneCondition) {
   const Places two{.record = {0, 1, 0, 1}, .first_sample = {0, 20, 10, 30}};
   EXPECT_EQ(consecutive_groups(std::vector<Label>{1, 1, 1, 1}, two, 2), (Groups{{0, 2}, {1, 3}}));
   EXPECT_THAT(consecutive_groups(std::vector<Label>{1, 1, 1, 1}, two, 3), IsEmpty());
 }
 
-TEST(ConsecutiveGroups, NeedAPlaceForEachLabelAndAWindow) {
+TEST(ConsecutiveGroups, NeedOnePlacePerLabelAndAWindow) {
   EXPECT_THROW(consecutive_groups(std::vector<Label>{1}, places, 2), std::logic_error);
   EXPECT_THROW(consecutive_groups(labels, {places.record, {}}, 2), std::logic_error);
   EXPECT_THROW(consecutive_groups(labels, places, 0), std::logic_error);
 }
 
 /// Two windows favour class 0 slightly, one favours class 2 strongly: 0.9, 0.6 and 1.5.
-TEST(Decide, NamesTheClassWithTheLargestSum) {
+TEST(Decide, ChoosesTheClassWithTheLargestSum) {
   const std::vector<float> scores{0.4F, 0.3F, 0.3F, 0.4F, 0.3F, 0.3F, 0.1F, 0, 0.9F};
   EXPECT_EQ(decide(scores, 3, std::vector<std::size_t>{0, 1, 2}), 2);
   EXPECT_EQ(decide(scores, 3, std::vector<std::size_t>{0, 1}), 0);
 }
 
-TEST(Decide, IsTheVoteWhereNothingIsSaidOfOtherClassesAndOfEqualOnesTheFirst) {
+TEST(Decide, VotesWithoutScoresAndBreaksTiesByOrder) {
   const std::vector<float> votes{0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 0, 1};
   EXPECT_EQ(decide(votes, 3, std::vector<std::size_t>{0, 1, 2}), 1);
   EXPECT_EQ(decide(votes, 3, std::vector<std::size_t>{0, 1, 2, 3}), 1);
@@ -59,7 +59,7 @@ TEST(Decide, IsTheVoteWhereNothingIsSaidOfOtherClassesAndOfEqualOnesTheFirst) {
 /// Class 0 has 30 windows of one record, class 1 has 10 of another, in time order. The first six of
 /// class 0 are wrong, which makes one decision of three wrong. Class 1 has three wrong ones of ten,
 /// and its one decision is correct.
-TEST(DecisionRates, AreAccuraciesOfTheDecisionsPlainAndBalanced) {
+TEST(DecisionRates, HavePlainAndBalancedAccuracy) {
   std::vector<Label> truth(40, 0);
   Places where;
   std::vector<float> votes;
@@ -85,7 +85,7 @@ TEST(DecisionRates, AreAccuraciesOfTheDecisionsPlainAndBalanced) {
 }
 
 /// Ten windows of class 0, nine of class 1.
-TEST(DecisionRates, AreLeftOutWhereAClassHasNoDecision) {
+TEST(DecisionRates, AreLeftOutIfAClassHasNoDecision) {
   std::vector<Label> truth(19, 0);
   std::fill(truth.begin() + 10, truth.end(), 1);
   Places where{.record = std::vector<std::int32_t>(19), .first_sample = {}};

@@ -9,7 +9,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-TEST(Agreement, OfTheTruthItselfIsPerfect) {
+TEST(Agreement, IsPerfectForTheTruthItself) {
   const Values truth{1, 2, 4};
   const Agreement perfect = agreement(truth, truth);
   EXPECT_DOUBLE_EQ(perfect.r2, 1);
@@ -27,13 +27,13 @@ TEST(Agreement, EqualsAHandWorkedTable) {
   EXPECT_NEAR(found.correlation2, 121 / 152.0, 1e-12);
 }
 
-TEST(Agreement, IsZeroWhereAllInferredAreTheMean) {
+TEST(Agreement, IsZeroIfAllInferredValuesAreTheMean) {
   const Agreement found = agreement(Values{1, 2, 3}, Values{2, 2, 2});
   EXPECT_DOUBLE_EQ(found.r2, 0);
   EXPECT_DOUBLE_EQ(found.correlation2, 0);
 }
 
-TEST(Agreement, NeedsATruthThatVaries) {
+TEST(Agreement, NeedsVaryingTrueValues) {
   EXPECT_THROW(agreement(Values{2, 2}, Values{1, 2}), std::logic_error);
 }
 

@@ -17,7 +17,7 @@ Windows column(std::initializer_list<double> values) {
   return windows;
 }
 
-TEST(MeanSquaredDistance, LeavesOutPairsOfAWindowWithItself) {
+TEST(MeanSquaredDistance, ExcludesPairsOfAWindowWithItself) {
   EXPECT_NEAR(mean_squared_distance(column({0, 2, 5})), (4.0 + 25 + 9) / 3, 1e-12);
 }
 
@@ -32,13 +32,13 @@ TEST(Mmd, EqualsTheHandWorkedValue) {
   EXPECT_NEAR(mmd_squared(column({0, 2}), column({1, 3}), 16), 0.431715631975, 1e-11);
 }
 
-TEST(Mmd, OfASetWithItselfIsZero) {
+TEST(Mmd, IsZeroForIdenticalSets) {
   const Windows x = noise(100, 16, "x");
   EXPECT_NEAR(mmd_squared(x, x, mean_squared_distance(x)), 0, 1e-12);
 }
 
 /// The sets are so far apart that all kernels vanish: only pairs of a window with itself count.
-TEST(Mmd, OfPointsFarFromEverythingIsTenOverN) {
+TEST(Mmd, IsTenOverNForDistantPoints) {
   const Windows x = column({0, 1e6, 2e6, 3e6});
   const Windows y = column({5e5, 15e5, 25e5, 35e5});
   EXPECT_NEAR(mmd_squared(x, y, 1), 2.0 * 5 * 4 / 16, 1e-12);
@@ -53,7 +53,7 @@ double kernel(const Eigen::RowVectorXd& difference, double bandwidth) {
 }
 
 /// More rows than a block has, and not a multiple.
-TEST(Mmd, OfManyWindowsIsTheDoubleSumOfItsDefinition) {
+TEST(Mmd, MatchesItsDefinitionForManyWindows) {
   const Windows x = noise(150, 20, "x");
   const Windows y = noise(150, 20, "y") * 1.5;
   const double squared_distance = mean_squared_distance(y);
@@ -83,7 +83,7 @@ TEST(Mmd, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one, three);
 }
 
-TEST(Mmd, RefusesWhatItCannotCompare) {
+TEST(Mmd, RefusesSetsOfDifferentSize) {
   EXPECT_THROW(mmd_squared(column({0, 2}), column({1}), 1), std::logic_error);
   EXPECT_THROW(mmd_squared(noise(2, 3, "x"), noise(2, 4, "y"), 1), std::logic_error);
   EXPECT_THROW(mmd_squared(Windows(0, 4), Windows(0, 4), 1), std::logic_error);

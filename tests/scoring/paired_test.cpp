@@ -32,7 +32,7 @@ double p_by_counting(const Values& ranks, double smaller) {
 /// Hollander & Wolfe 1973, pages 29 f.: Hamilton's depression scale before and after. The negative
 /// differences have the ranks 2 and 3, so the statistic is 40 of 45; ten of the 512 subsets of {1,
 /// ..., 9} sum to 5 or less.
-TEST(SignedRanks, AreThoseOfHollanderAndWolfe) {
+TEST(SignedRanks, MatchHollanderAndWolfe) {
   const Values before{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
   const Values after{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29};
   const PairedDifference c = paired_difference(before, after);
@@ -44,7 +44,7 @@ TEST(SignedRanks, AreThoseOfHollanderAndWolfe) {
 /// Demsar 2006, Table 2: differences of C4.5 with and without a parameter on 14 data sets. He
 /// splits the ranks of the two zero differences. Without these two, all others rank two lower: the
 /// negative ones are 7 and 3.5 - 2.
-TEST(SignedRanks, LeaveOutDifferencesOfZero) {
+TEST(SignedRanks, ExcludeZeroDifferences) {
   const Values differences{0.005, -0.008, 0.017, 0.033, 0.006, -0.005, 0.007,
                            0.000, 0.063,  0.000, 0.022, 0.047, 0.009,  0.021};
   const SignedRanks test = signed_ranks(differences);
@@ -55,7 +55,7 @@ TEST(SignedRanks, LeaveOutDifferencesOfZero) {
 }
 
 /// A textbook example, with equal differences and one of zero: W = 27 - 18.
-TEST(SignedRanks, ShareTheRanksOfEqualDifferences) {
+TEST(SignedRanks, AverageTheRanksOfTies) {
   const Values differences{15, -7, 5, 20, 0, -9, 17, -12, 5, -10};
   const SignedRanks test = signed_ranks(differences);
   EXPECT_EQ(test.positive, 27);
@@ -66,7 +66,7 @@ TEST(SignedRanks, ShareTheRanksOfEqualDifferences) {
 
 /// Published critical values (two-sided, 0.05): n = 6: 0, 8: 3, 10: 8, 12: 13. The value itself is
 /// significant and the next larger one is not. These negative ranks of {1, ..., n} sum to T.
-TEST(SignedRanks, HaveTheCriticalValuesOfTheTables) {
+TEST(SignedRanks, MatchTabulatedCriticalValues) {
   struct Case {
     int n;
     std::vector<int> negative;
@@ -86,7 +86,7 @@ TEST(SignedRanks, HaveTheCriticalValuesOfTheTables) {
   }
 }
 
-TEST(SignedRanks, AreAsExtremeOnEitherSide) {
+TEST(SignedRanks, AreSymmetric) {
   const Values differences{1, 2, -3, 4, 5, 6};
   Values turned;
   for (const double d : differences) turned.push_back(-d);
@@ -95,7 +95,7 @@ TEST(SignedRanks, AreAsExtremeOnEitherSide) {
 }
 
 /// The mean of the statistic is n (n + 1) / 4 and its variance n (n + 1) (2 n + 1) / 24.
-TEST(SignedRanks, OfManyPairsAreNearlyNormal) {
+TEST(SignedRanks, ApproachTheNormalForManyPairs) {
   Values differences;
   for (int i = 1; i <= 60; ++i) differences.push_back(i % 3 == 0 ? -i : i);
   const SignedRanks test = signed_ranks(differences);
@@ -103,7 +103,7 @@ TEST(SignedRanks, OfManyPairsAreNearlyNormal) {
   EXPECT_NEAR(test.p, std::erfc(z / std::sqrt(2.0)), 1e-3);
 }
 
-TEST(PairedDifference, OfOnePairHasNeitherIntervalNorTest) {
+TEST(PairedDifference, HasNeitherIntervalNorTestForOnePair) {
   const PairedDifference c = paired_difference(Values{90}, Values{80});
   EXPECT_EQ(c.difference.mean, 10);
   EXPECT_EQ(c.difference.interval, std::nullopt);
@@ -111,7 +111,7 @@ TEST(PairedDifference, OfOnePairHasNeitherIntervalNorTest) {
   EXPECT_EQ(c.rank_biserial, 1);
 }
 
-TEST(PairedDifference, OfEqualValuesIsOfNoDifference) {
+TEST(PairedDifference, IsZeroForEqualValues) {
   const PairedDifference c = paired_difference(Values{80, 90.1, 0.1 + 0.2}, Values{80, 90.1, 0.3});
   EXPECT_EQ(c.difference.mean, 0);
   EXPECT_EQ(c.p, 1);

@@ -48,7 +48,7 @@ void expect_refused(const signal::WindowSet& generated, const signal::WindowSet&
   }
 }
 
-TEST(QualityByClass, RealAgainstThemselvesIsPerfect) {
+TEST(QualityByClass, RealWindowsMatchThemselvesPerfectly) {
   const auto classes = quality_by_class(real_set(), real_set());
   ASSERT_EQ(classes.size(), 2U);
   EXPECT_EQ(classes[0].label, 1);
@@ -65,7 +65,7 @@ TEST(QualityByClass, RealAgainstThemselvesIsPerfect) {
   }
 }
 
-TEST(QualityByClass, AFaultElsewhereHasNoLine) {
+TEST(QualityByClass, DefectOtherHasNoLine) {
   signal::WindowSet real = real_set();
   real.info.classes[2].defect = signal::Defect::other;
   signal::WindowSet louder = real;
@@ -76,7 +76,7 @@ TEST(QualityByClass, AFaultElsewhereHasNoLine) {
   EXPECT_GT(classes[1].rmse, 0);
 }
 
-TEST(QualityByClass, PairsTheFirstWindowsOfAClassInTheirOrder) {
+TEST(QualityByClass, PairsTheFirstWindowsOfAClassInOrder) {
   signal::WindowSet generated = empty_set();
   add(generated, 2, {4, 0, 0, 1});  // against {2, 0, 0, 1}: RMSE 1
   add(generated, 1, {0, 1, 0, 0});  // against {1, 0, 0, 0}: RMSE sqrt(1/2), aligned 0
@@ -129,7 +129,7 @@ signal::WindowSet of_two_speeds(double faster_by) {
   return set;
 }
 
-TEST(QualityByClass, LooksForTheFaultsLineWhereTheShaftOfEachWindowHasIt) {
+TEST(QualityByClass, LooksForTheFaultLineAtTheSpeedOfEachWindow) {
   const signal::WindowSet real = of_two_speeds(1);
   const auto own = quality_by_class(real, real);
   EXPECT_GT(own[0].fault_line_db, 20);
@@ -150,7 +150,7 @@ TEST(QualityByClass, RefusesAClassThatOneSideLacks) {
 TEST(QualityByClass, RefusesAnotherDatasetOrLength) {
   signal::WindowSet generated = real_set();
   generated.info.name = "other";
-  expect_refused(generated, real_set(), "are of dataset other, the real ones of dataset toy");
+  expect_refused(generated, real_set(), "belong to dataset other, the real ones to dataset toy");
   generated = real_set();
   generated.info.classes[2].name = "B";
   expect_refused(generated, real_set(), "other classes");
@@ -160,15 +160,15 @@ TEST(QualityByClass, RefusesAnotherDatasetOrLength) {
   expect_refused(real_set(), empty_set(), "no real windows");
 }
 
-TEST(QualityByClass, RefusesRealWindowsThatAreNoReference) {
+TEST(QualityByClass, RefusesRealWindowsThatCannotBeAReference) {
   const auto refused = [](const std::vector<std::vector<float>>& windows, const std::string& what) {
     signal::WindowSet real = empty_set();
     for (const auto& window : windows) add(real, 1, window);
     expect_refused(real, real, what);
   };
-  refused({{1, 2, 3, 4}}, "class IR: one real window is no reference");
+  refused({{1, 2, 3, 4}}, "class IR: there is only one real window");
   refused({{1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}, {1, 2, 3, 4.1F}}, "all real windows are the same");
-  refused({{0, 0, 0, 0}, {5, 5, 5, 5}}, "class IR: the real windows are silent");
+  refused({{0, 0, 0, 0}, {5, 5, 5, 5}}, "class IR: the real windows are constant");
 }
 
 signal::WindowSet set_of(int label, const Windows& windows) {
@@ -185,7 +185,7 @@ double difference_db(const signal::WindowSet& generated, const signal::WindowSet
   return quality_by_class(generated, real).front().fault_line_difference_db;
 }
 
-TEST(FaultLine, IsJudgedAgainstRealWindowsOfTheClass) {
+TEST(FaultLine, IsComparedWithRealWindowsOfTheClass) {
   const signal::WindowSet real = set_of(3, fault_windows(3, 20));
   EXPECT_EQ(difference_db(real, real), 0);
   EXPECT_GT(quality_by_class(real, real).front().fault_line_db, 6);

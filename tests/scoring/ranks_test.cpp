@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(Ranks, AreOfTheSmallestFirstAndSharedByEqualValues) {
+TEST(Ranks, AreAscendingAndAveragedForTies) {
   EXPECT_THAT(ranks(std::vector<double>{30, 10, 20}), ElementsAre(3, 1, 2));
   EXPECT_THAT(ranks(std::vector<double>{5, 1, 5, 5, 9}), ElementsAre(3, 1, 3, 3, 5));
   EXPECT_THAT(ranks(std::vector<double>{2, 2}), ElementsAre(1.5, 1.5));
@@ -18,7 +18,7 @@ TEST(Ranks, AreOfTheSmallestFirstAndSharedByEqualValues) {
 }
 
 /// 0.3 - 0.2 and 0.2 - 0.1 differ in binary.
-TEST(Ranks, TakeWhatDiffersByRoundingForEqual) {
+TEST(Ranks, TreatRoundingDifferencesAsTies) {
   ASSERT_NE(0.3 - 0.2, 0.2 - 0.1);
   EXPECT_THAT(ranks(std::vector<double>{0.3 - 0.2, 2, 0.2 - 0.1}), ElementsAre(1.5, 3, 1.5));
   EXPECT_THAT(ranks(std::vector<double>{0.5, 0.5001}), ElementsAre(1, 2));
@@ -28,7 +28,7 @@ TEST(Ranks, TakeWhatDiffersByRoundingForEqual) {
 /// twice with different ranks has one more digit here. Average ranks, F = 3.69 and critical
 /// difference 1.25 as on his pages 12 and 13; p from an F table: F(3, 39) is 2.85 at 0.05 and 4.33
 /// at 0.01.
-TEST(AverageRanks, IsThatOfTheWorkedExample) {
+TEST(AverageRanks, MatchTheWorkedExample) {
   const AverageRanks c = average_ranks({{0.763, 0.768, 0.771, 0.798},
                                         {0.599, 0.591, 0.590, 0.569},
                                         {0.954, 0.971, 0.968, 0.967},
@@ -57,7 +57,7 @@ TEST(AverageRanks, IsThatOfTheWorkedExample) {
 }
 
 /// Demsar 2006, Table 5a.
-TEST(AverageRanks, HasTheQuantilesOfThePublishedTable) {
+TEST(AverageRanks, HaveTheQuantilesOfThePublishedTable) {
   const double at_005[] = {1.960, 2.343, 2.569, 2.728, 2.850, 2.949, 3.031, 3.102, 3.164};
   const double at_010[] = {1.645, 2.052, 2.291, 2.459, 2.589, 2.693, 2.780, 2.855, 2.920};
   for (std::size_t i = 0; i < 9; ++i) {
@@ -66,7 +66,7 @@ TEST(AverageRanks, HasTheQuantilesOfThePublishedTable) {
   }
 }
 
-TEST(AverageRanks, IsAsCertainAsTheOrdersThatBlocksCanHave) {
+TEST(AverageRanks, PValueIsLimitedByTheNumberOfOrders) {
   const AverageRanks agree = average_ranks({{3, 2, 1}, {30, 20, 10}});
   EXPECT_THAT(agree.average, ElementsAre(1, 2, 3));
   EXPECT_NEAR(*agree.p, 1.0 / 6, 1e-12);  // one of six orders
@@ -76,7 +76,7 @@ TEST(AverageRanks, IsAsCertainAsTheOrdersThatBlocksCanHave) {
   EXPECT_EQ(alike.p, 1);
 }
 
-TEST(AverageRanks, OfOneBlockOrOneMethodTestsNothing) {
+TEST(AverageRanks, OneBlockOrOneMethodGivesNoTest) {
   const AverageRanks one_block = average_ranks({{1, 2}});
   EXPECT_THAT(one_block.average, ElementsAre(2, 1));
   EXPECT_EQ(one_block.p, std::nullopt);

@@ -7,7 +7,7 @@
 namespace piae::scoring {
 namespace {
 
-TEST(Ratios, AreThoseOfTable5) {
+TEST(Ratios, MatchTable5) {
   std::vector<std::pair<std::string, int>> ratios;
   for (const Ratio& ratio : all_ratios())
     ratios.emplace_back(ratio.name, ratio.generated_per_class);
@@ -17,18 +17,18 @@ TEST(Ratios, AreThoseOfTable5) {
                                            Pair("1to1", 495)));
 }
 
-TEST(Ratios, AnUnknownOneIsAUsageErrorThatListsTheOthers) {
+TEST(Ratios, UnknownRatioIsAUsageErrorThatListsTheOthers) {
   try {
     find_ratio("3to1");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
     EXPECT_STREQ(error.what(),
-                 "unknown ratio '3to1'; known are 100to1, 50to1, 25to1, 10to1, 5to1, 2to1, 1to1");
+                 "unknown ratio '3to1'; known: 100to1, 50to1, 25to1, 10to1, 5to1, 2to1, 1to1");
   }
 }
 
-TEST(Ratios, TrueRatioIsTheNamedOneButForTwoToOne) {
+TEST(Ratios, TrueRatioEqualsTheNameExceptForTwoToOne) {
   const auto of = [](const char* name) {
     return true_ratio(500, 5, find_ratio(name).generated_per_class);
   };
@@ -41,7 +41,7 @@ TEST(Ratios, TrueRatioIsTheNamedOneButForTwoToOne) {
   EXPECT_EQ(of("1to1"), 1);
 }
 
-TEST(Ratios, WithoutAFaultWindowThereIsNoTrueRatio) {
+TEST(Ratios, TrueRatioNeedsAFaultWindow) {
   EXPECT_EQ(true_ratio(495, 0, 0), std::nullopt);
   EXPECT_EQ(true_ratio(495, 0, 495), 1);
 }

@@ -12,7 +12,7 @@ namespace {
 /// A row for each true class: 10 healthy windows, 20 of the inner race, 8 of the outer one.
 const Confusion example{3, {7, 2, 1, 4, 15, 1, 0, 3, 5}};
 
-TEST(Recall, IsTheShareOfAClassThatIsRecognised) {
+TEST(Recall, IsTheShareOfAClassClassifiedCorrectly) {
   const Share inner = recall_of(example, 1);
   EXPECT_EQ(inner.count, 15);
   EXPECT_EQ(inner.of, 20);
@@ -21,7 +21,7 @@ TEST(Recall, IsTheShareOfAClassThatIsRecognised) {
 }
 
 /// A fault predicted as another fault is not missed.
-TEST(Recall, OfHealthyAndFaultyTellsMissedFaultsFromFalseAlarms) {
+TEST(Recall, DistinguishesMissedFaultsFromFalseAlarms) {
   const auto classes = three_classes("cwru").classes;
   const Share missed = missed_faults(example, classes);
   EXPECT_EQ(missed.count, 4);

@@ -60,7 +60,7 @@ QualityRecord quality() {
       {{1, 495, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, {2, 494, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}}};
 }
 
-TEST_F(Records, NamesThatNothingHasAreRefused) {
+TEST_F(Records, UnknownNamesAreRefused) {
   DiagnosisRecord odd = diagnosis();
   odd.ratio = "3to1";
   EXPECT_THROW((void)read_diagnosis(stored("diagnosis", odd)), Refusal);
@@ -72,7 +72,7 @@ TEST_F(Records, NamesThatNothingHasAreRefused) {
   EXPECT_THROW((void)read_quality(stored("score", score)), Refusal);
 }
 
-TEST_F(Records, DiagnosisComesBackAsItWas) {
+TEST_F(Records, DiagnosisIsReadAsWritten) {
   DiagnosisRecord record = diagnosis();
   EXPECT_FALSE(read_diagnosis(stored("diagnosis", record)).train_windows_per_second);
   record.train_windows_per_second = 12.5;
@@ -97,7 +97,7 @@ TEST_F(Records, DiagnosisComesBackAsItWas) {
   EXPECT_EQ(read.accuracy(), 0.75);
 }
 
-TEST_F(Records, DiagnosisWithoutKnownFaultsSaysSo) {
+TEST_F(Records, DiagnosisWithoutKnownFaultsRecordsIt) {
   DiagnosisRecord record = diagnosis();
   EXPECT_FALSE(stored("diagnosis", record).has_attribute("/", "known_per_class"));
   record.any_known = false;
@@ -108,7 +108,7 @@ TEST_F(Records, DiagnosisWithoutKnownFaultsSaysSo) {
 }
 
 /// The ratio to the windows of a fault exists only if there are some.
-TEST_F(Records, DiagnosisHasATrueRatioUnlessThereIsNoFaultWindow) {
+TEST_F(Records, DiagnosisHasATrueRatioUnlessItLacksFaultWindows) {
   DiagnosisRecord record = diagnosis();
   record.any_known = false;
   record.true_ratio.reset();
@@ -136,7 +136,7 @@ TEST_F(Records, DiagnosisNamesItsClassifierUnlessItIsThePapers) {
   EXPECT_THROW((void)read_diagnosis(stored("diagnosis", record)), Refusal);
 }
 
-TEST_F(Records, DiagnosisWithoutATrainingHasNoCurves) {
+TEST_F(Records, DiagnosisWithoutTrainingHasNoCurves) {
   DiagnosisRecord record = diagnosis();
   record.loss.clear();
   record.train_accuracy.clear();
@@ -158,7 +158,7 @@ TEST_F(Records, DiagnosisMayHaveFeatures) {
   EXPECT_EQ(read.features->output, record.features->output);
 }
 
-TEST_F(Records, FeaturesAreOfEachWindow) {
+TEST_F(Records, DiagnosisNeedsFeaturesOfEachWindow) {
   DiagnosisRecord record = diagnosis();
   record.features = {.hidden = {1, 2, 3, 4, 5}, .output = record.scores};
   EXPECT_THROW(stored("diagnosis", record), std::logic_error);
@@ -204,16 +204,16 @@ class WrongDiagnosis : public Records {
   Writer writer_{"diagnosis"};
 };
 
-TEST_F(WrongDiagnosis, WithTheAccuracyOfAnotherMatrixIsRefused) {
+TEST_F(WrongDiagnosis, WithAWrongAccuracyIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 0, 1, 0, 0, 0}, 0.9, "attribute accuracy");
 }
-TEST_F(WrongDiagnosis, WithTheMatrixOfOtherPredictionsIsRefused) {
+TEST_F(WrongDiagnosis, WithAWrongMatrixIsRefused) {
   expect_refused({0, 1}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/confusion is not");
 }
-TEST_F(WrongDiagnosis, WithALabelThatDoesNotExistIsRefused) {
+TEST_F(WrongDiagnosis, WithAnUnknownLabelIsRefused) {
   expect_refused({0, 3}, {0, 2}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/labels holds class 3");
 }
-TEST_F(WrongDiagnosis, WithAPredictionThatDoesNotExistIsRefused) {
+TEST_F(WrongDiagnosis, WithAnUnknownPredictionIsRefused) {
   expect_refused({0, 1}, {0, -1}, {1, 0, 0, 0, 1, 0, 0, 0, 0}, 1.0, "/predictions holds class -1");
 }
 TEST_F(WrongDiagnosis, WithFewerPredictionsThanLabelsIsRefused) {
@@ -223,7 +223,7 @@ TEST_F(WrongDiagnosis, WithoutAWindowIsRefused) {
   expect_refused({}, {}, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 1.0, "/labels is empty");
 }
 
-TEST_F(Records, QualityComesBackAsItWas) {
+TEST_F(Records, QualityIsReadAsWritten) {
   const Reader reader = stored("score", quality());
   EXPECT_THAT(reader.list("/quality"),
               testing::UnorderedElementsAre("mmd", "rmse", "aligned_rmse", "amplitude_ratio",
@@ -245,7 +245,7 @@ TEST_F(Records, QualityComesBackAsItWas) {
   }
 }
 
-TEST_F(Records, QualityOfClassesThatCannotBeIsRefused) {
+TEST_F(Records, QualityOfImpossibleClassesIsRefused) {
   for (const int label : {3, -1, 2}) {
     QualityRecord record = quality();
     record.classes[0].label = label;
@@ -256,12 +256,12 @@ TEST_F(Records, QualityOfClassesThatCannotBeIsRefused) {
   EXPECT_THROW(read_quality(stored("score", nothing)), Refusal);
 }
 
-TEST_F(Records, OfOneKindAreNotReadAsAnother) {
+TEST_F(Records, RecordOfAnotherKindIsRefused) {
   EXPECT_THROW(read_diagnosis(stored("score", quality())), Refusal);
   EXPECT_THROW(read_quality(stored("diagnosis", diagnosis())), Refusal);
 }
 
-TEST(QualityRecord, TheMeanOfTheFaultLineIsOfClassesThatHaveOne) {
+TEST(QualityRecord, MeanFaultLineUsesClassesWithALine) {
   QualityRecord record;
   record.info = three_classes();
   record.classes = {{.label = 1, .rmse = 1, .fault_line_db = 4}, {.label = 2, .rmse = 3}};

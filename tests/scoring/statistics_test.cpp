@@ -11,7 +11,7 @@
 namespace piae::scoring {
 namespace {
 
-TEST(Summary, OfTheFiveRunsOfTable6IsThatWorkedByHand) {
+TEST(Summary, MatchesTheHandWorkedTable6) {
   const Summary summary = summarise(std::vector<double>{61.8, 62.0, 61.7, 62.3, 62.3});
   EXPECT_EQ(summary.count, 5U);
   EXPECT_NEAR(summary.mean, 62.02, 1e-12);
@@ -35,7 +35,7 @@ TEST(Summary, IntervalHasStudentsQuantiles) {
   }
 }
 
-TEST(Summary, OfOneValueHasNoSpread) {
+TEST(Summary, OneValueHasNoSpread) {
   const Summary summary = summarise(std::vector<double>{7});
   EXPECT_EQ(summary.count, 1U);
   EXPECT_EQ(summary.mean, 7);
@@ -43,7 +43,7 @@ TEST(Summary, OfOneValueHasNoSpread) {
   EXPECT_FALSE(summary.interval);
 }
 
-TEST(Summary, OfEqualValuesIsAPoint) {
+TEST(Summary, EqualValuesGiveAPointInterval) {
   const Summary summary = summarise(std::vector<double>{3, 3, 3});
   EXPECT_EQ(*summary.deviation, 0);
   EXPECT_EQ(summary.interval->low, 3);
@@ -53,19 +53,19 @@ TEST(Summary, OfEqualValuesIsAPoint) {
 TEST(Summary, NeedsAValue) { EXPECT_THROW(summarise({}), std::logic_error); }
 
 /// Two classes of two: means 2 and 6 about 4, so 4 * 4 of 4 * 4 + 4 * 1 is between them.
-TEST(ShareBetweenClasses, IsTheOneWorkedByHand) {
+TEST(ShareBetweenClasses, MatchesTheHandWorkedValue) {
   const std::vector<double> values{1, 7, 3, 5};
   const std::vector<Label> labels{0, 1, 0, 1};
   EXPECT_NEAR(share_between_classes(values, labels), 16.0 / 20.0, 1e-15);
 }
 
-TEST(ShareBetweenClasses, IsNothingOfWhatDoesNotVaryAndAllOfWhatVariesByClassAlone) {
+TEST(ShareBetweenClasses, IsZeroWithoutVariationAndOneForVariationByClassOnly) {
   const std::vector<Label> labels{0, 0, 1};
   EXPECT_EQ(share_between_classes(std::vector<double>{2, 2, 2}, labels), 0);
   EXPECT_EQ(share_between_classes(std::vector<double>{2, 2, 5}, labels), 1);
 }
 
-TEST(ShareBetweenClasses, IsWhatChanceGivesWhereClassesAreDrawn) {
+TEST(ShareBetweenClasses, MatchesChanceForRandomClasses) {
   constexpr int repeats = 400;
   double sum = 0;
   Stream stream("share between classes");

@@ -19,7 +19,7 @@ TEST(Tempered, IsTheSoftmaxOfLogitsByTheTemperature) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(probabilities[i], expected[i], 1e-5);
 }
 
-TEST(Tempered, OfLogitsFarApartIsFinite) {
+TEST(Tempered, IsFiniteForDistantLogits) {
   const std::vector<float> sure = tempered(std::vector<float>{0, -1e6F, -3e38F}, 3, 0.02);
   EXPECT_EQ(sure, (std::vector<float>{1, 0, 0}));
 }
@@ -61,7 +61,7 @@ TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
 
 // If all n windows are correct, the mean is least for a softmax of (n + 1) / (n + 2): the logit
 // divided by the temperature is ln(n + 1).
-TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
+TEST(BestTemperature, IsBoundByTheNumberOfWindowsIfAllAreCorrect) {
   for (const int each : {4, 50}) {
     Judged said;
     said.add(each, 0, 0, 6);
@@ -72,7 +72,7 @@ TEST(BestTemperature, OfWindowsThatAreAllRightIsBoundByTheirNumber) {
 
 // Class 0 is correct three times of four, class 1 always: each class has half the weight, however
 // many windows it has.
-TEST(BestTemperature, GivesEachClassTheSameWeight) {
+TEST(BestTemperature, WeighsClassesEqually) {
   const auto with_so_many_of_class_1 = [](int count) {
     Judged said;
     said.add(30000, 0, 0, 2);

@@ -17,7 +17,7 @@ const std::vector<signal::ClassInfo> two_sizes{{"Normal", Defect::none, 0},
                                                {"B007", Defect::roller, 0.2}};
 
 // Of 20 windows 10 are classified correctly, 4 as the other size, and 6 as another fault type.
-TEST(TypeAccuracy, TakesOneSizeOfADefectForAnother) {
+TEST(TypeAccuracy, IgnoresTheDefectSize) {
   const Confusion confusion{4,
                             {5, 0, 0, 0,  //
                              0, 2, 3, 0,  //
@@ -27,7 +27,7 @@ TEST(TypeAccuracy, TakesOneSizeOfADefectForAnother) {
   EXPECT_EQ(type_accuracy(confusion, two_sizes), 0.7);
 }
 
-TEST(TypeAccuracy, IsTheAccuracyWhereEachKindIsOneClass) {
+TEST(TypeAccuracy, IsTheAccuracyIfEachFaultTypeIsOneClass) {
   const std::vector<signal::ClassInfo> classes{
       {"Normal", Defect::none, 0}, {"IR", Defect::inner, 0.2}, {"OR", Defect::outer, 0.2}};
   const Confusion confusion{3, {4, 1, 0, 2, 3, 0, 1, 0, 9}};

@@ -20,7 +20,7 @@ TEST(Rmse, IsTheMeanOverPairsNotTheRootOfTheMeanSquare) {
   EXPECT_NEAR(rmse(generated, real), (std::sqrt(12.5) + 1) / 2, 1e-15);
 }
 
-TEST(Rmse, OfSilenceIsTheRootMeanSquareOfTheRealWindow) {
+TEST(Rmse, IsTheRmsOfTheRealWindowForSilence) {
   const Windows real = noise(1, 512, "real");
   EXPECT_NEAR(rmse(real * 0, real), std::sqrt(real.squaredNorm() / 512), 1e-15);
 }
@@ -51,20 +51,20 @@ TEST(AlignedRmse, IsTheSmallestOverAllShifts) {
 }
 
 /// A shift can change a sine into its negative; a pulse has no such shift.
-TEST(AlignedRmse, DoesNotTurnWindowsUpsideDown) {
+TEST(AlignedRmse, DoesNotInvertWindows) {
   Windows real = Windows::Zero(1, 8);
   real(0, 3) = 1;
   EXPECT_NEAR(aligned_rmse(-real, real), std::sqrt(2.0 / 8), 1e-12);
 }
 
-TEST(AmplitudeRatio, IsGeneratedToReal) {
+TEST(AmplitudeRatio, IsGeneratedOverReal) {
   const Windows real = noise(5, 64, "real");
   EXPECT_NEAR(amplitude_ratio(real * -2, real), 2, 1e-14);
   EXPECT_EQ(amplitude_ratio(real * 0, real), 0);
   EXPECT_THROW(amplitude_ratio(real, real * 0), std::logic_error);
 }
 
-TEST(Waveform, RefusesWhatIsNotInPairs) {
+TEST(Waveform, RefusesUnpairedWindows) {
   const Windows two = noise(2, 8, "x");
   for (const Windows& other : {noise(3, 8, "y"), noise(2, 9, "y"), Windows(0, 8)}) {
     EXPECT_THROW(rmse(two, other), std::logic_error);
@@ -74,7 +74,7 @@ TEST(Waveform, RefusesWhatIsNotInPairs) {
   EXPECT_THROW(rmse(Windows(0, 8), Windows(0, 8)), std::logic_error);
 }
 
-TEST(SpectralDistance, OfTenTimesTheAmplitudeIsTwentyDecibels) {
+TEST(SpectralDistance, TenTimesTheAmplitudeIsTwentyDecibels) {
   const Windows real = noise(20, 128, "real");
   EXPECT_NEAR(spectral_distance_db(real * 10, real), 20, 1e-10);
   EXPECT_NEAR(spectral_distance_db(real * 0.1, real), 20, 1e-10);
@@ -88,7 +88,7 @@ TEST(SpectralDistance, IsTheRootMeanSquareOverBins) {
   EXPECT_NEAR(spectral_distance_db(generated, real), std::sqrt(3 * 100.0 / 32), 1e-9);
 }
 
-TEST(SpectralDistance, DoesNotSeeAShift) {
+TEST(SpectralDistance, IgnoresAShift) {
   const Windows real = tone(64, 1, 8, 0);
   EXPECT_NEAR(spectral_distance_db(tone(64, 1, 8, 1.3), real), 0, 1e-6);
 }
@@ -96,13 +96,13 @@ TEST(SpectralDistance, DoesNotSeeAShift) {
 /// A pulse in the middle has the same power P in all bins but the first, whose mean is removed.
 /// Relative to the mean power, silence is at -100 dB, except for the dip that the removal leaves in
 /// bin 1.
-TEST(SpectralDistance, OfSilenceIsFarButFinite) {
+TEST(SpectralDistance, SilenceIsFarButFinite) {
   Windows real = Windows::Zero(1, 1024);
   real(0, 512) = 1;
   EXPECT_NEAR(spectral_distance_db(real * 0, real), 100, 0.01);
 }
 
-TEST(SpectralDistance, RefusesWhatItCannotCompare) {
+TEST(SpectralDistance, RefusesWindowsOfDifferentLength) {
   EXPECT_THROW(spectral_distance_db(noise(2, 8, "x"), noise(2, 16, "y")), std::logic_error);
   EXPECT_THROW(spectral_distance_db(noise(2, 8, "x"), Windows::Ones(2, 8)), std::logic_error);
   EXPECT_THROW(spectral_distance_db(Windows(1, 1), Windows(1, 1)), std::logic_error);

@@ -171,9 +171,8 @@ TEST(Protocol, RefusesSweepTablesWithoutMethodOrClassifier) {
     EXPECT_THAT(Project("[sweep." + other + "]\npoints = []\n").refusal(),
                 HasSubstr("line 1: nothing reads the table [sweep." + other + "]"));
   }
-  EXPECT_THAT(
-      Project("[sweep.smote]\npoints = []\nclassifier = \"wdcn\"\n").refusal(),
-      HasSubstr("protocol.toml, line 3: unknown classifier 'wdcn'; known are wdcnn, wdcnn-"));
+  EXPECT_THAT(Project("[sweep.smote]\npoints = []\nclassifier = \"wdcn\"\n").refusal(),
+              HasSubstr("protocol.toml, line 3: unknown classifier 'wdcn'; known: wdcnn, wdcnn-"));
   EXPECT_THAT(Project("[sweep.smote]\npoints = []\nclassifier = 3\n").refusal(),
               HasSubstr("line 3: unknown classifier ''"));
   EXPECT_THAT(Project("[sweep.smote]\nclassifier = \"wdcnn\"\n").refusal(),

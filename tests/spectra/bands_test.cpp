@@ -11,7 +11,7 @@
 namespace piae::spectra {
 namespace {
 
-TEST(NarrowBands, AreNineUpTo6300HzOrAsManyAsTheRateHolds) {
+TEST(NarrowBands, AreNineUpTo6300HzOrFewerAtLowRates) {
   const std::vector<Band> bands = narrow_bands(12000);
   ASSERT_EQ(bands.size(), 9U);
   EXPECT_EQ(bands.front().low_hz, 300);
@@ -25,7 +25,7 @@ TEST(NarrowBands, AreNineUpTo6300HzOrAsManyAsTheRateHolds) {
 }
 
 // sin^2 of 45 degrees is a half.
-TEST(Response, IsOneWithinAHalfAtTheEdgesAndZeroOutside) {
+TEST(Response, IsOneInsideHalfAtTheEdgesAndZeroOutside) {
   const Eigen::ArrayXd passed = response({.low_hz = 300, .high_hz = 1500}, 241, 25);
   EXPECT_NEAR(passed[300 / 25], 0.5, 1e-12);
   EXPECT_NEAR(passed[1500 / 25], 0.5, 1e-12);
@@ -45,7 +45,7 @@ TEST(FilterBank, HasTheResponsesOfAllBandsAtTheBinsOfAWindow) {
   EXPECT_TRUE((bank.responses[1] == second).all());
 }
 
-TEST(BandMeans, AreOfTheBinsFromOneEdgeToTheNext) {
+TEST(BandMeans, AverageTheBinsBetweenEdges) {
   Eigen::ArrayXd power(6);
   power << 9, 1, 3, 2, 4, 6;
   const Eigen::ArrayXd means = band_means(power, {1, 3, 6});
@@ -65,7 +65,7 @@ Eigen::RowVectorXd sine(Eigen::Index length, double cycles_a_sample) {
       .sin();
 }
 
-TEST(SpectralShape, IsThatOfNumpy) {
+TEST(SpectralShape, MatchesNumpy) {
   const Eigen::ArrayXd shape = spectral_shape_db(computed_row());
   ASSERT_EQ(shape.size(), 48);
   EXPECT_NEAR(shape[0], -0.84446, 2e-5);
@@ -77,23 +77,23 @@ TEST(SpectralShape, IsThatOfNumpy) {
 
 // Band b begins at (100 + b 5800 / 48) Hz of 12 kHz: 2000 Hz lies in band 15, which is 1913 to
 // 2033.
-TEST(SpectralShape, OfASineIsHighestInItsBand) {
+TEST(SpectralShape, SineIsHighestInItsBand) {
   Eigen::Index loudest = 0;
   spectral_shape_db(sine(1024, 2000.0 / 12000)).maxCoeff(&loudest);
   EXPECT_EQ(loudest, 15);
 }
 
-TEST(SpectralShape, IsTheSameForALouderWindowWithAnOffset) {
+TEST(SpectralShape, IgnoresLevelAndOffset) {
   const Eigen::ArrayXd plain = spectral_shape_db(computed_row());
   EXPECT_LT((spectral_shape_db(9 * computed_row().array() + 4) - plain).abs().maxCoeff(), 1e-6);
 }
 
-TEST(SpectralShape, NeedsAFrequencyInEachBand) {
+TEST(SpectralShape, NeedsABinInEachBand) {
   EXPECT_ERROR(spectral_shape_db(sine(60, 0.1)), Exit::bad_input, "windows of 60 samples");
   EXPECT_EQ(spectral_shape_db(sine(100, 0.1)).size(), 48);
 }
 
-TEST(BandLevels, AreThoseOfNumpy) {
+TEST(BandLevels, MatchNumpy) {
   const Eigen::ArrayXd levels =
       band_levels_db(computed_row(), filter_bank(12000, computed_row().size()));
   ASSERT_EQ(levels.size(), 9);
@@ -103,7 +103,7 @@ TEST(BandLevels, AreThoseOfNumpy) {
 }
 
 // 2700 Hz lies in the middle of one band and at the edges of others.
-TEST(BandLevels, OfASineAreZeroWhereItLiesWithin) {
+TEST(BandLevels, SineGivesZeroInItsBand) {
   const Eigen::ArrayXd levels =
       band_levels_db(sine(4096, 2700.0 / 12000), filter_bank(12000, 4096));
   EXPECT_NEAR(levels[3], 0, 1e-4);  // 2100 to 3300 Hz

@@ -45,7 +45,7 @@ std::vector<Complex> by_definition(const std::vector<T>& values, double sign) {
 class Fft : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(Lengths, Fft, testing::Values(2, 3, 4, 12, 15, 30, 97, 1024));
 
-TEST_P(Fft, OfRealSamplesIsHalfOfTheDefinition) {
+TEST_P(Fft, RealTransformIsHalfOfTheDefinition) {
   const std::vector<double> samples = irregular<double>(GetParam());
   std::vector<Complex> bins(samples.size() / 2 + 1);
   fft(samples, bins);
@@ -58,7 +58,7 @@ TEST_P(Fft, OfRealSamplesIsHalfOfTheDefinition) {
   EXPECT_THAT(back, testing::Pointwise(testing::DoubleNear(1e-12), samples));
 }
 
-TEST_P(Fft, InSinglePrecisionIsTheSame) {
+TEST_P(Fft, SinglePrecisionMatchesDouble) {
   const std::vector<float> samples = irregular<float>(GetParam());
   std::vector<std::complex<float>> bins(samples.size() / 2 + 1);
   fft(samples, bins);
@@ -71,7 +71,7 @@ TEST_P(Fft, InSinglePrecisionIsTheSame) {
   EXPECT_THAT(back, testing::Pointwise(testing::FloatNear(1e-5F), samples));
 }
 
-TEST_P(Fft, OfComplexSamplesIsTheDefinitionBothWays) {
+TEST_P(Fft, ComplexTransformMatchesTheDefinitionBothWays) {
   std::vector<Complex> samples(GetParam());
   const std::vector<double> parts = irregular<double>(2 * samples.size());
   for (std::size_t n = 0; n < samples.size(); ++n) samples[n] = {parts[2 * n], parts[2 * n + 1]};
@@ -87,7 +87,7 @@ TEST_P(Fft, OfComplexSamplesIsTheDefinitionBothWays) {
   }
 }
 
-TEST(FftLengths, ThatDoNotFitAreRefused) {
+TEST(FftLengths, RefuseMismatchedLengths) {
   std::vector<double> samples(8);
   std::vector<Complex> bins(4);
   EXPECT_THROW(fft(samples, bins), std::logic_error);

@@ -8,7 +8,7 @@ namespace piae::spectra {
 namespace {
 
 // Medians over three numbers of 5 | 5 1 4 2 3 | 3, and over five of 1 5 | 5 1 4 2 3 | 3 2.
-TEST(RunningMedian, GoesOnAsAMirrorBeyondTheEnds) {
+TEST(RunningMedian, MirrorsBeyondTheEnds) {
   Eigen::ArrayXd values(5);
   values << 5, 1, 4, 2, 3;
   Eigen::ArrayXd of_three(5);
@@ -39,14 +39,14 @@ Eigen::RowVectorXd ringing_noise() {
   return window;
 }
 
-TEST(WhitenedSpectrum, IsEquallyLoudEverywhere) {
+TEST(WhitenedSpectrum, IsFlat) {
   const Eigen::ArrayXd power = whitened_spectrum(ringing_noise(), 12000).abs2();
   for (Eigen::Index first = 0; first + 128 < power.size(); first += 128) {
     EXPECT_NEAR(power.segment(first, 128).mean(), 1, 0.15) << first;
   }
 }
 
-TEST(WhitenedSpectrum, IsTheSameForALouderWindowWithAnOffset) {
+TEST(WhitenedSpectrum, IgnoresLevelAndOffset) {
   const Eigen::ArrayXcd plain = whitened_spectrum(ringing_noise(), 12000);
   const Eigen::ArrayXcd louder = whitened_spectrum(50 * ringing_noise().array() + 7, 12000);
   EXPECT_LT((plain - louder).abs().maxCoeff(), 1e-9);

@@ -35,7 +35,7 @@ double line_db(const Windows& windows, Defect defect) {
 /// depth a and random phase at each of 1 ... 40 cycles. With Hann's window, whose squares have the
 /// mean 3 / 8, a line has the power (m N / 4)^2 and the noise N^2 (a^2 / 4) 3 / 8. Their sum over
 /// the noise is 1 + 2 m^2 / (3 a^2).
-TEST(FreeHarmonics, OfAKnownModulationHasItsClosedForm) {
+TEST(FreeHarmonics, KnownModulationHasItsClosedForm) {
   constexpr double m = 0.1;
   constexpr double a = 0.02;
   Windows windows(200, length);
@@ -65,7 +65,7 @@ TEST(FreeHarmonics, OfAKnownModulationHasItsClosedForm) {
 
 /// An inner race's defect passes the load zone once per shaft turn. So its line has side lines 30
 /// Hz away, which 1024 samples hardly resolve; 4096 do.
-TEST(FreeHarmonics, OfSimulatedFaultsIsTheirOwn) {
+TEST(FreeHarmonics, SimulatedFaultsShowTheirOwnLine) {
   for (const int label : {1, 2, 3}) {
     const Windows windows = fault_windows(label, 12, 4096);
     const Defect own = cwru_like().classes[static_cast<std::size_t>(label)].defect;
@@ -79,27 +79,27 @@ TEST(FreeHarmonics, OfSimulatedFaultsIsTheirOwn) {
   }
 }
 
-TEST(FreeHarmonics, OfWhiteNoiseIsNone) {
+TEST(FreeHarmonics, WhiteNoiseGivesZero) {
   const Windows windows = noise(200, static_cast<std::size_t>(length), "white");
   for (const Defect defect : {Defect::inner, Defect::roller, Defect::outer}) {
     EXPECT_NEAR(line_db(windows, defect), 0, 1);
   }
 }
 
-TEST(FreeHarmonics, OfSilenceIsNone) {
+TEST(FreeHarmonics, SilenceGivesZero) {
   EXPECT_EQ(line_db(Windows::Zero(2, length), Defect::outer), 0);
   EXPECT_EQ(line_db(Windows::Constant(2, length, 0.1F), Defect::outer), 0);
 }
 
 /// 256 samples hold 2.3 periods of BPFO.
-TEST(FreeHarmonics, ThatWindowsAreTooShortForIsNone) {
+TEST(FreeHarmonics, ShortWindowsGiveZero) {
   const Windows windows = fault_windows(3, 4);
   EXPECT_EQ(line_db(windows.leftCols(256), 107.34), 0);
   EXPECT_EQ(line_db(windows, 0.0), 0);
   EXPECT_EQ(line_db(windows, 6000.0), 0) << "at half the sampling rate";
 }
 
-TEST(FreeHarmonics, OfNoWindowsIsRefused) {
+TEST(FreeHarmonics, NoWindowsAreRefused) {
   EXPECT_THROW((void)line_db(Windows(0, length), 100.0), std::logic_error);
 }
 
@@ -114,7 +114,7 @@ OrderSpectrum comb(double order, double height) {
   return spectrum;
 }
 
-TEST(CommonSlip, FindsALineThatSlipsByUpTo12InAThousand) {
+TEST(CommonSlip, FindsALineWithSlipUpTo12InAThousand) {
   for (const double slip : {-0.012, -0.005, 0.0, 0.008, 0.012}) {
     EXPECT_NEAR(common_slip_height(comb(5 * (1 + slip), 2), 5, 4, -1), 2, 1e-9) << slip;
   }
@@ -122,13 +122,13 @@ TEST(CommonSlip, FindsALineThatSlipsByUpTo12InAThousand) {
 
 // For a line that slips by 5 %, the search ends 3.8 % too close to 0: 0.19 orders off for the first
 // harmonic and more for the others.
-TEST(CommonSlip, DoesNotFindOneThatSlipsFarther) {
+TEST(CommonSlip, DoesNotFindALineWithMoreSlip) {
   EXPECT_NEAR(common_slip_height(comb(5 * 1.05, 2), 5, 4, -1), -0.7, 1e-9);
   EXPECT_NEAR(common_slip_height(comb(5 * 0.95, 2), 5, 1, -1), -0.7, 1e-9);
 }
 
 // With separate slips all four harmonics would be found.
-TEST(CommonSlip, TakesOneSlipForAllHarmonics) {
+TEST(CommonSlip, UsesOneSlipForAllHarmonics) {
   OrderSpectrum spectrum = comb(5, -0.7);
   const auto raise = [&](double order) {
     spectrum.heights[std::lround((order - OrderSpectrum::first) / OrderSpectrum::step)] = 2;

@@ -16,7 +16,7 @@ OrderSpectrum spectrum_of(const std::vector<float>& window, double shaft_hz) {
                         filter_bank(12000, length), shaft_hz, 21.92);
 }
 
-TEST(OrderSpectrum, IsThatOfNumpy) {
+TEST(OrderSpectrum, MatchesNumpy) {
   const OrderSpectrum spectrum = spectrum_of(computed_window(), 30);
   const auto height = [&](double order) { return spectrum.at(order, -3, 9); };
   EXPECT_NEAR(height(0.2), -0.241855, 2e-6);
@@ -30,7 +30,7 @@ TEST(OrderSpectrum, IsThatOfNumpy) {
 
 // The power of noise over its mean has an exponential distribution. The mean of its logarithm is
 // minus Euler's constant: -0.5772 / ln 10 = -0.2507.
-TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
+TEST(OrderSpectrum, NoiseIsAQuarterBelowItsFloor) {
   Stream stream("noise");
   double sum = 0;
   constexpr int windows = 20;
@@ -41,7 +41,7 @@ TEST(OrderSpectrum, OfNoiseIsAQuarterBelowItsFloor) {
   EXPECT_NEAR(sum / windows, -0.2507, 0.04);
 }
 
-TEST(OrderSpectrum, HasALineAtTheOrderOfTheStrikesWhateverTheSpeed) {
+TEST(OrderSpectrum, HasALineAtTheImpactOrderAtAnySpeed) {
   Stream stream("struck");
   for (const double shaft_hz : {10.0, 30.0, 45.0, 60.0}) {
     const OrderSpectrum spectrum =
@@ -55,7 +55,7 @@ TEST(OrderSpectrum, HasALineAtTheOrderOfTheStrikesWhateverTheSpeed) {
   }
 }
 
-TEST(OrderSpectrum, GoesStraightFromOneClippedHeightToTheNext) {
+TEST(OrderSpectrum, InterpolatesBetweenClippedHeights) {
   const OrderSpectrum spectrum{Eigen::Array4d(-2, 1, 3, 0)};
   EXPECT_NEAR(spectrum.at(0.2, -3, 9), -2, 1e-12);
   EXPECT_NEAR(spectrum.at(0.225, -3, 9), -0.5, 1e-9);

@@ -21,7 +21,7 @@ Eigen::RowVectorXd tone_from(Eigen::Index first) {
 }
 
 /// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
-TEST(Spectrogram, OfAToneHasItsLinesAtAllTimes) {
+TEST(Spectrogram, ToneHasItsLineAtAllTimes) {
   const Eigen::ArrayXXd power = spectrogram(tone_from(0), 32);
   ASSERT_EQ(power.rows(), 7);  // from samples 0, 16, ..., 96
   ASSERT_EQ(power.cols(), 17);
@@ -33,25 +33,25 @@ TEST(Spectrogram, OfAToneHasItsLinesAtAllTimes) {
   }
 }
 
-TEST(Spectrogram, ShowsWhenAToneBegins) {
+TEST(Spectrogram, ShowsWhenAToneStarts) {
   const Eigen::ArrayXXd power = spectrogram(tone_from(64), 32);
   for (Eigen::Index time = 0; time < 3; ++time) EXPECT_EQ(power(time, 4), 0) << time;
   EXPECT_GT(power(3, 4), 100);  // the tone fills its second half
   for (Eigen::Index time = 4; time < 7; ++time) EXPECT_NEAR(power(time, 4), 576, 1e-9) << time;
 }
 
-TEST(Spectrogram, LeavesOutWhatDoesNotFillASegment) {
+TEST(Spectrogram, LeavesOutAnIncompleteSegment) {
   EXPECT_EQ(spectrogram(tone_from(0).head(127), 32).rows(), 6);
 }
 
-TEST(Spectrogram, OfImpossibleSegmentsCannotBe) {
+TEST(Spectrogram, RefusesImpossibleSegments) {
   EXPECT_THROW(spectrogram(tone_from(0), 0), std::logic_error);
   EXPECT_THROW(spectrogram(tone_from(0), 31), std::logic_error);
   EXPECT_THROW(spectrogram(tone_from(0), 130), std::logic_error);
 }
 
 /// Hann's window spreads a tone A cos over three bins of height A N / 8, A N / 4, A N / 8.
-TEST(Spectrum, OfAToneIsThreeLinesOfTheWindow) {
+TEST(Spectrum, ToneHasThreeLinesOfTheTaper) {
   const Eigen::ArrayXd power = mean_power_spectrum(tone(64, 3, 8, 0.7));
   ASSERT_EQ(power.size(), 33);
   for (Eigen::Index bin = 0; bin < 33; ++bin) {
@@ -60,7 +60,7 @@ TEST(Spectrum, OfAToneIsThreeLinesOfTheWindow) {
   }
 }
 
-TEST(Spectrum, IsTheMeanOverWindowsAndSeesNoOffset) {
+TEST(Spectrum, AveragesWindowsAndIgnoresOffset) {
   Windows windows(2, 64);
   windows << tone(64, 3, 8, 0.7), tone(64, 3, 8, 0.7) * 0;
   windows.array() += 100;
@@ -69,7 +69,7 @@ TEST(Spectrum, IsTheMeanOverWindowsAndSeesNoOffset) {
 }
 
 /// A carrier of whole cycles: its envelope is A (1 + m cos), whatever the window's offset.
-TEST(Envelope, OfAModulatedCarrierIsItsModulation) {
+TEST(Envelope, ModulatedCarrierGivesItsModulation) {
   constexpr Eigen::Index n = 1024;
   constexpr double cycle = 2 * std::numbers::pi / 1024;
   Windows window(1, n);

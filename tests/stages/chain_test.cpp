@@ -21,7 +21,7 @@ void expect_same_bytes_elsewhere(const Tiny& tiny) {
   }
 }
 
-TEST(Chain, LeadsFromASimulationToTheTablesWithTheSameBytesInEveryFolder) {
+TEST(Chain, GivesTheSameBytesInEveryFolder) {
   const Tiny tiny;
   std::set<std::string> expected{"tiny.toml"};
   for (const Step& step : chain()) {
@@ -93,7 +93,7 @@ TEST(Chain, ContentDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(Chain, DiagnosisWithoutReproducibleTellsTheThroughput) {
+TEST(Chain, DiagnosisWithoutReproducibleStoresTheThroughput) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   Arguments arguments = chain()[5].arguments;
@@ -103,7 +103,7 @@ TEST(Chain, DiagnosisWithoutReproducibleTellsTheThroughput) {
   EXPECT_GT(diagnosis.real("/", "train_windows_per_second"), 0);
 }
 
-TEST(Chain, DiagnosisKeepsFeaturesWhenAsked) {
+TEST(Chain, DiagnosisKeepsFeaturesIfRequested) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const Arguments arguments = chain()[5].arguments;

@@ -24,7 +24,7 @@ class CheckStage : public testing::Test {
   Tiny tiny_;
 };
 
-TEST_F(CheckStage, StoresARunAndFindsItTheSame) {
+TEST_F(CheckStage, StoredRunEqualsItself) {
   store();
   const Outcome same = tiny_.run("check", compared);
   EXPECT_EQ(same.status, 0) << same.err;
@@ -48,12 +48,12 @@ TEST_F(CheckStage, StoresARunAndFindsItTheSame) {
 
 TEST_F(CheckStage, RefusesWhatItCannotCompare) {
   expect_refusal(tiny_.run("check", compared), "check", 66,
-                 {"reference/random/tiny.csv", "`make reference RUN=...` makes one"});
+                 {"reference/random/tiny.csv", "with `make reference RUN=...`"});
   store();
   expect_refusal(tiny_.run("check", with(compared, "--run", "nowhere")), "check", 66,
-                 {"nowhere: holds no diagnosis"});
+                 {"nowhere: has none of the requested diagnoses"});
   expect_refusal(tiny_.run("check", with(compared, "--seeds", "5")), "check", 66,
-                 {"run: holds no diagnosis or score of those asked for"});
+                 {"run: has none of the requested diagnoses and scores"});
   expect_refusal(tiny_.run("check", with(compared, "--tolerance", "some")), "check", 2,
                  {"--tolerance", "exact", "spread"});
   expect_refusal(tiny_.run("check", with(compared, "--ratios", "7to1")), "check", 2, {"7to1"});

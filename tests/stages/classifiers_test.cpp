@@ -45,7 +45,7 @@ class Classifiers : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
+TEST_F(Classifiers, AreTestedOnTheTestWindows) {
   Arguments files;
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
     const std::string name = each.name;
@@ -64,7 +64,7 @@ TEST_F(Classifiers, AreEachTriedOnTheTestWindows) {
 }
 
 // Files from before other classifiers existed equal those of today, to the last byte.
-TEST_F(Classifiers, ThePapersIsTheDefaultAndIsNotNamedInItsFile) {
+TEST_F(Classifiers, PapersClassifierIsTheDefaultAndNotNamedInItsFile) {
   (void)run_well(diagnose_by("wdcnn"));
   (void)run_well(with(step_of("diagnose").arguments, "--output", "default.h5"));
   EXPECT_TRUE(bytes_of("wdcnn.h5") == bytes_of("default.h5"));
@@ -81,7 +81,7 @@ TEST_F(Classifiers, ThePapersIsTheDefaultAndIsNotNamedInItsFile) {
             std::string::npos);
 }
 
-TEST_F(Classifiers, GiveTheSameBytesEachTimeAndTrainOnRandomNumbersOfTheirOwn) {
+TEST_F(Classifiers, AreReproducibleAndHaveTheirOwnStreams) {
   std::set<std::vector<float>> scores;
   for (const std::string name :
        {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "symptom-net"}) {
@@ -93,7 +93,7 @@ TEST_F(Classifiers, GiveTheSameBytesEachTimeAndTrainOnRandomNumbersOfTheirOwn) {
   }
 }
 
-TEST_F(Classifiers, TheNearestNeighbourIsSureOfWhatItNames) {
+TEST_F(Classifiers, NearestPredictsWithCertainty) {
   (void)run_well(diagnose_by("nearest"));
   const scoring::DiagnosisRecord record = record_of("nearest");
   for (std::size_t i = 0; i < record.predictions.size(); ++i) {
@@ -103,13 +103,13 @@ TEST_F(Classifiers, TheNearestNeighbourIsSureOfWhatItNames) {
   }
 }
 
-TEST_F(Classifiers, OfOtherNamesAreRefused) {
+TEST_F(Classifiers, UnknownNamesAreRefused) {
   expect_refusal(tiny_.run("diagnose", diagnose_by("svm")), "diagnose", 2,
                  {"unknown classifier 'svm'", "wdcnn-spectra, nearest"});
   EXPECT_FALSE(fs::exists(tiny_ / "svm.h5"));
 }
 
-TEST_F(Classifiers, WithoutLayersHaveNoFeaturesToKeep) {
+TEST_F(Classifiers, WithoutLayersRefuseToKeepFeatures) {
   for (const std::string name : {"nearest", "exclusion-rule"}) {
     Arguments arguments = diagnose_by(name);
     arguments.emplace_back("--keep-features");
@@ -118,7 +118,7 @@ TEST_F(Classifiers, WithoutLayersHaveNoFeaturesToKeep) {
   }
 }
 
-TEST_F(Classifiers, OnSymptomsKeepTheirHiddenLayer) {
+TEST_F(Classifiers, SymptomNetKeepsItsHiddenLayer) {
   Arguments arguments = diagnose_by("symptom-net");
   arguments.emplace_back("--keep-features");
   (void)run_well(arguments);
@@ -128,19 +128,20 @@ TEST_F(Classifiers, OnSymptomsKeepTheirHiddenLayer) {
   EXPECT_EQ(features->output.size(), 30U * 3);
 }
 
-TEST_F(Classifiers, ThatAreRulesTakeNoGeneratedWindows) {
+TEST_F(Classifiers, RulesRefuseGeneratedWindows) {
   expect_refusal(tiny_.run("diagnose", with(diagnose_by("exclusion-rule"), "--generated", "E.h5")),
                  "diagnose", 2, {"--generated: exclusion-rule is a rule"});
   EXPECT_FALSE(fs::exists(tiny_ / "exclusion-rule.h5"));
 }
 
-TEST_F(Classifiers, ThatAreRulesSayAgainstWhatTheyCompared) {
+TEST_F(Classifiers, RulesReportTheHealthyWindows) {
   const Outcome outcome = run_well(diagnose_by("envelope-rule"));
-  EXPECT_NE(outcome.out.find("diagnosed 30 windows against 30 healthy ones ("), std::string::npos)
+  EXPECT_NE(outcome.out.find("diagnosed 30 windows by comparison with 30 healthy windows ("),
+            std::string::npos)
       << outcome.out;
 }
 
-TEST_F(Classifiers, ByLinesNeedWindowsThatTellTheLinesApart) {
+TEST_F(Classifiers, RulesNeedWindowsThatSeparateTheLines) {
   const Outcome split = tiny_.run(
       "split", with(with(step_of("split").arguments, "--window", "256"), "--output-dir", "."));
   ASSERT_EQ(split.status, 0) << split.err;
@@ -154,7 +155,7 @@ TEST_F(Classifiers, ByLinesNeedWindowsThatTellTheLinesApart) {
   }
 }
 
-TEST_F(Classifiers, OnSymptomsMustKnowTheSpeedOfGeneratedWindows) {
+TEST_F(Classifiers, SymptomNetNeedsTheSpeedOfGeneratedWindows) {
   tiny_.write("tiny.toml",
               tiny_description +
                   "[[simulation.condition]]\nname = \"fast\"\nshaft_speed_rpm = 1797\n"
@@ -175,14 +176,14 @@ TEST_F(Classifiers, OnSymptomsMustKnowTheSpeedOfGeneratedWindows) {
       (void)run_well(diagnose);
     } else {
       expect_refusal(tiny_.run("diagnose", diagnose), "diagnose", 65,
-                     {"--generated: the windows do not say at which speed"});
+                     {"--generated: the windows lack shaft speeds"});
       EXPECT_FALSE(fs::exists(tiny_ / "smote.h5"));
       (void)run_well(with(diagnose_by("nearest"), "--output", method + ".h5"));
     }
   }
 }
 
-TEST_F(Classifiers, OnSpectraTakeWindowsThatAreTooShortForTheWaveform) {
+TEST_F(Classifiers, SpectraAcceptWindowsTooShortForTheWaveform) {
   const Outcome split = tiny_.run(
       "split", with(with(step_of("split").arguments, "--window", "512"), "--output-dir", "."));
   ASSERT_EQ(split.status, 0) << split.err;
@@ -198,7 +199,7 @@ TEST_F(Classifiers, OnSpectraTakeWindowsThatAreTooShortForTheWaveform) {
   }
 }
 
-TEST_F(Classifiers, ThatNobodyKnowsAreFoundByVerify) {
+TEST_F(Classifiers, VerifyFindsUnknownNames) {
   (void)run_well(diagnose_by("nearest"));
   doctor((tiny_ / "nearest.h5").string(),
          [](hid_t file) { replace_attribute(file, "/", "classifier", std::string("svm")); });

@@ -51,11 +51,11 @@ class KeepClassifier : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(KeepClassifier, SaysWhatItIsWorthAndIsGoodByVerify) {
+TEST_F(KeepClassifier, ReportsItsCalibrationAndPassesVerify) {
   const Outcome outcome = keep();
   EXPECT_TRUE(is_one_line(outcome.out)) << outcome.out;
   EXPECT_THAT(outcome.out, testing::StartsWith("kept wdcnn with temperature "));
-  EXPECT_THAT(outcome.out, HasSubstr(" by 40 windows left out: calibration error "));
+  EXPECT_THAT(outcome.out, HasSubstr(" from 40 left-out windows: calibration error "));
   EXPECT_THAT(outcome.out, HasSubstr(": classifier.h5 ("));
   const Outcome verified = tiny_.run("verify", {"classifier.h5"});
   EXPECT_EQ(verified.status, 0) << verified.out;
@@ -77,7 +77,7 @@ TEST_F(KeepClassifier, ChangesNothingInTheDiagnosis) {
   EXPECT_EQ(read("both.h5").scores, read("alone.h5").scores);
 }
 
-TEST_F(KeepClassifier, IsTheSameBytesEachTime) {
+TEST_F(KeepClassifier, GivesTheSameBytesEachTime) {
   (void)keep("wdcnn", "a.h5");
   (void)keep("wdcnn", "b.h5");
   const auto digest = [&](const std::string& file) {
@@ -88,11 +88,11 @@ TEST_F(KeepClassifier, IsTheSameBytesEachTime) {
 
 TEST_F(KeepClassifier, NeedsOneOfTheOutputs) {
   expect_refusal(tiny_.run("diagnose", diagnose()), "diagnose", 2,
-                 {"--output is required, or --keep-classifier"});
+                 {"give --output or --keep-classifier"});
 }
 
 // Applied to A again, each predicts what its diagnosis predicted.
-TEST_F(KeepClassifier, EveryClassifierIsKeptAndNamesWhatItsDiagnosisNames) {
+TEST_F(KeepClassifier, EveryClassifierPredictsLikeItsDiagnosis) {
   for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
     const std::string name = each.name;
     SCOPED_TRACE(name);
@@ -118,7 +118,7 @@ TEST_F(KeepClassifier, EveryClassifierIsKeptAndNamesWhatItsDiagnosisNames) {
   }
 }
 
-TEST_F(KeepClassifier, OfGeneratedWindowsSaysOfWhichMethod) {
+TEST_F(KeepClassifier, RecordsTheMethodOfGeneratedWindows) {
   const Outcome outcome =
       tiny_.run("diagnose", {"--test", "A.h5", "--normal", "B.h5", "--known", "C.h5", "--generated",
                              "E.h5", "--ratio", "50to1", "--seed", "3", "--classifier", "nearest",
@@ -172,7 +172,7 @@ class Classify : public KeepClassifier {
   signal::WindowSet test_;
 };
 
-TEST_F(Classify, NamesWhatTheDiagnosisNamedOfEachTestWindow) {
+TEST_F(Classify, PredictsLikeTheDiagnosis) {
   ASSERT_EQ(tiny_.run("diagnose", with(diagnose(), "--output", "diagnosis.h5")).status, 0);
   const scoring::DiagnosisRecord record =
       scoring::read_diagnosis({tiny_ / "diagnosis.h5", "diagnosis"});
@@ -191,7 +191,7 @@ TEST_F(Classify, NamesWhatTheDiagnosisNamedOfEachTestWindow) {
   for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_NEAR(printed[i], expected[i], 1e-6) << i;
 }
 
-TEST_F(Classify, SaysInEightyColumnsWhatARecordingIsAndByWhom) {
+TEST_F(Classify, PrintsAtMostEightyColumns) {
   const Outcome outcome = tiny_.run("classify", classify());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
@@ -203,7 +203,7 @@ TEST_F(Classify, SaysInEightyColumnsWhatARecordingIsAndByWhom) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
-TEST_F(Classify, WritesAllThatIsAskedFor) {
+TEST_F(Classify, WritesAllRequestedFiles) {
   describe();
   const Arguments arguments{"--classifier", "classifier.h5", "--description", "mine.toml",
                             "--data-dir",   "data",          "--csv",         "out.csv",
@@ -221,7 +221,7 @@ TEST_F(Classify, WritesAllThatIsAskedFor) {
   EXPECT_THAT(csv, testing::StartsWith("recording,start_s,class,probability,strangeness,unknown,"
                                        "p_Normal,p_IR007,p_OR021\n"));
   const std::string picture = bytes_of(tiny_ / "out.svg");
-  EXPECT_THAT(picture, HasSubstr(">IR007-02 (said to be IR007): "));
+  EXPECT_THAT(picture, HasSubstr(">IR007-02 (described as IR007): "));
   // Parse it as XML with an independent program.
   const std::string check = "python3 -c 'import sys, xml.dom.minidom as d; d.parse(sys.argv[1])' ";
   if (std::system("python3 -c '' 2>/dev/null") == 0) {
@@ -230,7 +230,7 @@ TEST_F(Classify, WritesAllThatIsAskedFor) {
   EXPECT_EQ(tiny_.left_overs(), std::set<std::string>{});
 }
 
-TEST_F(Classify, OfADescriptionTakesTheRecordsThatAreNamed) {
+TEST_F(Classify, UsesTheRequestedRecordsOfADescription) {
   describe();
   const Arguments arguments{"--classifier", "classifier.h5", "--description",
                             "mine.toml",    "--data-dir",    "data",
@@ -244,10 +244,11 @@ TEST_F(Classify, OfADescriptionTakesTheRecordsThatAreNamed) {
   other.back() = "IR007-03";
   // The error comes before the recordings are read.
   fs::remove(tiny_ / "data/OR021-01.csv");
-  expect_refused(other, 2, {"--record: mine.toml has no record 'IR007-03'; there are", "OR021-02"});
+  expect_refused(other, 2,
+                 {"--record: mine.toml does not have a record 'IR007-03'; known:", "OR021-02"});
 }
 
-TEST_F(Classify, HasAWindowEachStep) {
+TEST_F(Classify, HasAWindowAtEachStep) {
   const auto windows_by = [&](const Arguments& arguments) {
     const Outcome outcome = tiny_.run("classify", with(arguments, "--output", "out.h5"));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -260,7 +261,7 @@ TEST_F(Classify, HasAWindowEachStep) {
 }
 
 TEST_F(Classify, NeedsOneRecordingOrADescription) {
-  const std::string words = "name either one --recording or a --description of several";
+  const std::string words = "give either --recording or --description";
   expect_refused({"--classifier", "classifier.h5"}, 2, {words});
   describe();
   expect_refused(with(classify(), "--description", "mine.toml"), 2, {words});
@@ -270,20 +271,21 @@ TEST_F(Classify, NeedsOneRecordingOrADescription) {
   }
 }
 
-TEST_F(Classify, RefusesASignalThatCannotFitAndSaysWhatWould) {
+TEST_F(Classify, RefusesASignalThatDoesNotFitAndNamesTheRemedy) {
   expect_refused(with(classify(), "--sample-rate-hz", "8000"), 65,
-                 {"recording.csv: is sampled at 8000 Hz", "at that rate or above"});
+                 {"recording.csv: is sampled at 8000 Hz", "at that rate or a higher one"});
   expect_refused(with(classify(), "--speed-rpm", "900"), 65,
-                 {"recording.csv: is of 900 rpm", "trained at 1797 rpm", "5 %"});
-  expect_refused(with(classify(), "--sample-rate-hz", "48000"), 65,
-                 {"recording.csv: has 256 samples at 12000 Hz", "has 1024", "record for longer"});
+                 {"recording.csv: was recorded at 900 rpm", "trained at 1797 rpm", "5 %"});
+  expect_refused(
+      with(classify(), "--sample-rate-hz", "48000"), 65,
+      {"recording.csv: has 256 samples at 12000 Hz", "has 1024", "make a longer recording"});
   describe("1000");
   expect_refused(
       {"--classifier", "classifier.h5", "--description", "mine.toml", "--data-dir", "data"}, 65,
-      {"record IR007-01: is of 1000 rpm"});
+      {"record IR007-01: was recorded at 1000 rpm"});
 }
 
-TEST_F(Classify, ReplacesNoInputAndWritesNoFileTwice) {
+TEST_F(Classify, DoesNotReplaceInputsOrWriteAFileTwice) {
   const auto expect_usage = [&](const Arguments& outputs, const std::string& word) {
     Arguments all = classify();
     all.insert(all.end(), outputs.begin(), outputs.end());
@@ -296,15 +298,15 @@ TEST_F(Classify, ReplacesNoInputAndWritesNoFileTwice) {
   EXPECT_EQ(sha256_of_file(tiny_ / "recording.csv"), recording);
 }
 
-TEST_F(Classify, RefusesAStepThatCannotBe) {
+TEST_F(Classify, RefusesAnImpossibleStep) {
   expect_refused(with(classify(), "--step", "-1"), 2, {"--step"});
 }
 
-TEST_F(Classify, RefusesARecordingInWhichSomethingIsWrong) {
+TEST_F(Classify, RefusesADamagedRecording) {
   const std::string good = csv_of(test_.window(0));
   tiny_.write("dead.csv", good + csv_of(std::vector<float>(test_.length, 0.5F)));
   expect_refused(classify("dead.csv"), 65,
-                 {"dead.csv: nothing moves from ", "a dead channel; cut that stretch out"});
+                 {"dead.csv: is constant from ", "(a dead channel); cut that stretch out"});
   tiny_.write("nan.csv", good + "nan\n" + good);
   expect_refused(classify("nan.csv"), 65,
                  {"nan.csv: sample " + std::to_string(test_.length) + " (counted from 0) is NaN"});
@@ -317,7 +319,7 @@ TEST_F(Classify, RefusesARecordingInWhichSomethingIsWrong) {
       {"IR007-01.csv"});
 }
 
-TEST_F(Classify, RefusesWhatIsNoClassifier) {
+TEST_F(Classify, RefusesAFileThatIsNotAClassifier) {
   expect_refused(with(classify(), "--classifier", "A.h5"), 65, {"A.h5", "classifier"});
   expect_refused(with(classify(), "--classifier", "nowhere.h5"), 66, {"nowhere.h5"});
   std::string bytes = bytes_of(tiny_ / "classifier.h5");
@@ -327,7 +329,7 @@ TEST_F(Classify, RefusesWhatIsNoClassifier) {
 }
 
 // Digests are correct, but no stage writes such content: verify and classify find it.
-TEST_F(Classify, RefusesAClassifierThatCannotBe) {
+TEST_F(Classify, RefusesAnImpossibleClassifier) {
   const std::string good = bytes_of(tiny_ / "classifier.h5");
   const auto expect_found = [&](const std::function<void(hid_t)>& change, const std::string& word) {
     tiny_.write("classifier.h5", good);
@@ -342,7 +344,7 @@ TEST_F(Classify, RefusesAClassifierThatCannotBe) {
   expect_found([](hid_t f) { replace_attribute(f, "/reference", "threshold", -1.0); }, "threshold");
   expect_found([](hid_t f) { replace_attribute(f, "/trust", "accuracy", 1.5); }, "accuracy");
   expect_found([](hid_t f) { replace_attribute(f, "/", "window_length", std::int64_t{2050}); },
-               "cannot be asked about a window");
+               "cannot classify a window");
   expect_found(
       [](hid_t f) {
         change_numbers<Label>(f, "/trust/untrained_class", [](auto& all) { all.front() = 7; });
@@ -361,7 +363,7 @@ TEST_F(Classify, RefusesAClassifierThatCannotBe) {
       "/learned/dense/running_variance");
 }
 
-TEST_F(Classify, ADamagedFileIsRefusedOrChangesNoValue) {
+TEST_F(Classify, DamagedFileIsRefusedOrChangesNoValue) {
   ASSERT_EQ(tiny_.run("classify", with(classify(), "--output", "classification.h5")).status, 0);
   std::mt19937_64 random(20261125);
   for (const std::string name : {"classifier.h5", "classification.h5"}) {
@@ -408,7 +410,7 @@ TEST_F(TrustStage, MakesTheTables) {
   EXPECT_THAT(bytes_of(tiny_ / "run/tiny/trust.md"), testing::StartsWith("# tiny: how far"));
 }
 
-TEST_F(TrustStage, NamesWhatIsNotThere) {
+TEST_F(TrustStage, NamesMissingCells) {
   const std::set<std::string> before = tiny_.files();
   expect_refusal(tiny_.run("trust", trust()), "trust", 66,
                  {"run/tiny/seed0/none/100to1/wdcnn/classifier.h5"});

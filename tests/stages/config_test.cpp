@@ -16,7 +16,7 @@ void expect_same_bytes(const fs::path& one, const fs::path& other) {
   EXPECT_TRUE(bytes_of(one) == bytes_of(other)) << one << ' ' << other;
 }
 
-TEST(Config, GivesWhatTheCommandLineGives) {
+TEST(Config, EqualsTheCommandLine) {
   const Tiny tiny;
   tiny.run_chain_before("generate");
   tiny.write("options.toml", R"(
@@ -95,7 +95,7 @@ TEST(Config, MissingFileIsAMissingInput) {
                  {"options.toml"});
 }
 
-TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
+TEST(Config, EveryStageReadsTheProtocolOfTheProject) {
   // Run up to the first missing input: by then all options have been read.
   const Tiny tiny;
   const std::string protocol = std::string(PIAE_SOURCE) + "/pipeline/protocol.toml";
@@ -105,7 +105,7 @@ TEST(Config, TheProtocolOfTheProjectIsUnderstoodByEveryStage) {
   }
 }
 
-TEST(Config, ThatCannotBeReadOrIsHugeIsRefused) {
+TEST(Config, UnreadableOrHugeFileIsRefused) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   fs::create_symlink("/proc/self/mem", tiny / "options.toml");
@@ -117,7 +117,7 @@ TEST(Config, ThatCannotBeReadOrIsHugeIsRefused) {
   expect_refusal(tiny.run("train", train_files), "train", 2, {"options.toml", "larger than 1 MB"});
 }
 
-TEST(Config, ThatIsAPipeOrADeepNestIsRefusedAtOnce) {
+TEST(Config, PipeOrDeepNestIsRefusedAtOnce) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   ASSERT_EQ(::mkfifo((tiny / "options.toml").c_str(), 0600), 0);

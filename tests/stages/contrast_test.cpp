@@ -19,7 +19,7 @@ class ContrastStage : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(ContrastStage, SetsTwoRunsSideBySide) {
+TEST_F(ContrastStage, ComparesTwoRuns) {
   const Outcome outcome = tiny_.run("contrast", contrast);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "compared 2 cells of two runs: table.md\n");
@@ -30,7 +30,7 @@ TEST_F(ContrastStage, SetsTwoRunsSideBySide) {
   EXPECT_NE(bytes_of(tiny_ / "table.tex").find("\\begin{tabular}"), std::string::npos);
 }
 
-TEST_F(ContrastStage, NamesAMissingCellAndMakesNoTable) {
+TEST_F(ContrastStage, NamesAMissingCellAndWritesNothing) {
   fs::remove(tiny_ / "other/tiny/seed0/piae-dt/50to1/wdcnn/diagnosis.h5");
   const std::set<std::string> before = tiny_.files();
   const Outcome outcome = tiny_.run("contrast", contrast);

@@ -168,7 +168,7 @@ TEST_F(Export, OfOneClassHasItsFirstWindows) {
   EXPECT_TRUE(std::equal(samples.begin(), samples.end(), windows.window(7).begin()));
 }
 
-TEST_F(Export, OfRecordedWindowsSaysWhereTheyWereCut) {
+TEST_F(Export, RecordedWindowsHaveTheirPositions) {
   for (const std::string role : {"A", "B", "C", "D"}) {
     const Outcome outcome = tiny.run(
         "export_windows", {"--windows", role + ".h5", "--output", role + ".csv", "--count", "1"});
@@ -180,7 +180,7 @@ TEST_F(Export, OfRecordedWindowsSaysWhereTheyWereCut) {
   }
 }
 
-TEST_F(Export, SaysWhatItCannotDo) {
+TEST_F(Export, ReportsWhatItCannotDo) {
   tiny.write("E.labels.csv", "former");
   const std::set<std::string> before = tiny.files();
   expect_refusal(exported("E.xlsx"), "export_windows", 2, {"E.xlsx", ".csv, .mat, .npy or .wav"});
@@ -195,7 +195,7 @@ TEST_F(Export, SaysWhatItCannotDo) {
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST_F(Export, ReplacesNoInput) {
+TEST_F(Export, DoesNotReplaceItsInput) {
   fs::rename(tiny / "generated.h5", tiny / "E.labels.csv");
   const std::string before = bytes_of(tiny / "E.labels.csv");
   const Outcome outcome =
@@ -205,7 +205,7 @@ TEST_F(Export, ReplacesNoInput) {
   EXPECT_FALSE(fs::exists(tiny / "E.npy"));
 }
 
-TEST_F(Export, ThatDoesNotFitOnTheDiskLeavesNothing) {
+TEST_F(Export, FullDiskLeavesNothing) {
   const std::set<std::string> before = tiny.files();
   Surroundings small_disk;
   small_disk.largest_file = 2000;

@@ -39,7 +39,7 @@ std::string csv(const Tiny& tiny, const std::string& figure) {
   return bytes_of(tiny / ("run/tiny/figures/" + figure + ".csv"));
 }
 
-TEST_F(Figures, AreOfWhatTheRunHoldsAndTheSameBytesAgain) {
+TEST_F(Figures, UseAllCellsOfTheRunAndAreReproducible) {
   const Outcome first = tiny.run("figures", figures_of({}));
   ASSERT_EQ(first.status, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("wrote fig11-12-windows@IR007.csv\n"));
@@ -53,7 +53,7 @@ TEST_F(Figures, AreOfWhatTheRunHoldsAndTheSameBytesAgain) {
   EXPECT_EQ(csv(tiny, "fig09-10-twin-space"), space);
 }
 
-TEST_F(Figures, FailByNameWhereTheirCellsAreMissing) {
+TEST_F(Figures, ReportMissingCellsByName) {
   ASSERT_EQ(tiny.run("figures", figures_of({})).status, 0);
   fs::remove(tiny / "run/tiny/seed0/piae-dt/score.h5");
   const Outcome outcome = tiny.run("figures", figures_of({"--methods", "none piae-dt", "--ratios",
@@ -66,7 +66,7 @@ TEST_F(Figures, FailByNameWhereTheirCellsAreMissing) {
   EXPECT_FALSE(fs::exists(tiny / "run/tiny/figures/fig13-14-quality.csv"));
 }
 
-TEST_F(Figures, OfADamagedCellAreRefusedByName) {
+TEST_F(Figures, ReportADamagedCellByName) {
   tiny.write("run/tiny/seed0/piae-dt/model.h5", "damaged");
   const Outcome outcome = tiny.run("figures", figures_of({}));
   EXPECT_EQ(outcome.status, 0);
@@ -89,10 +89,10 @@ Arguments report_of(const Arguments& requested) {
   return arguments;
 }
 
-TEST_F(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
+TEST_F(Report, UsesAllCellsOfTheRunAndNamesMissingOnes) {
   const Outcome whole = tiny.run("report", report_of({}));
   ASSERT_EQ(whole.status, 0) << whole.err;
-  EXPECT_THAT(whole.out, HasSubstr("reported 1 data sets, 0 cells missing"));
+  EXPECT_THAT(whole.out, HasSubstr("reported 1 datasets, 0 cells missing"));
   const std::string html = bytes_of(tiny / "run/report.html");
   EXPECT_THAT(html, HasSubstr("All 2 diagnoses and 1 score are there."));
   EXPECT_THAT(html, Not(HasSubstr("http://")));
@@ -102,17 +102,17 @@ TEST_F(Report, IsOfWhatTheRunHoldsAndNamesWhatItLacks) {
   EXPECT_THAT(bytes_of(tiny / "run/report.md"), HasSubstr("3 of 6 cells are missing"));
 }
 
-TEST_F(Report, SaysWhichDataSetItLeavesOutSinceNothingOfItWasBegun) {
+TEST_F(Report, NamesADatasetThatWasNotStarted) {
   tiny.write("run/hit-sm/ingest.log", "ingest: none-900.csv: no such file\nstep: exit 66\n");
   fs::create_directories(tiny / "run/simulated/seed0");
   const Outcome outcome = tiny.run("report", report_of({}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("reported 1 data sets, 0 cells missing"));
+  EXPECT_THAT(outcome.out, HasSubstr("reported 1 datasets, 0 cells missing"));
   EXPECT_THAT(outcome.err, HasSubstr("run/hit-sm: no method was begun"));
   EXPECT_THAT(outcome.err, HasSubstr("run/simulated: no method was begun"));
 }
 
-TEST(ReportOfAFolder, ThatIsNotThereIsAnError) {
+TEST(ReportOfAFolder, ThatIsMissingIsAnError) {
   const Tiny tiny;
   const Outcome outcome = tiny.run("report", report_of({}));
   EXPECT_EQ(outcome.status, 66);

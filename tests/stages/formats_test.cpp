@@ -107,7 +107,7 @@ class Formats : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(Formats, OfManyInstrumentsLeadToADiagnosis) {
+TEST_F(Formats, ManyInstrumentsLeadToADiagnosis) {
   const bearing::FaultFrequencies lines = bearing::fault_frequencies({}, 1797);
   fs::create_directory(folder_ / "data");
   for (int i = 1; i <= 12; ++i) {
@@ -138,7 +138,7 @@ TEST_F(Formats, OfManyInstrumentsLeadToADiagnosis) {
 }
 
 /// The 12 files of the healthy record hold 6000 samples each: ten windows of 1024 at stride 512.
-TEST_F(Formats, OfManyFilesAreOneRecordWithAllTheirDigests) {
+TEST_F(Formats, ManyFilesFormOneRecordWithAllDigests) {
   for (const char* name : {"2", "10", "1"}) {
     folder_.write(std::string("data/run/") + name, text(recording(0, 0.5, name)));
   }

@@ -22,7 +22,7 @@ class Healthy : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(Healthy, WindowsAreStoredAsASpectrumAndNamedAsAnInput) {
+TEST_F(Healthy, WindowsAreStoredAsASpectrumAndAnInput) {
   ASSERT_EQ(tiny_.run("train", train_on_healthy).status, 0);
   const artefact::Reader model(tiny_ / "model.h5", "model");
   EXPECT_TRUE(model.has("/healthy/log_amplitude"));
@@ -45,7 +45,7 @@ TEST_F(Healthy, WindowsMustBeBOfTheSameSplit) {
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
-TEST_F(Healthy, WindowsAreAskedForWhereTheBackgroundIsTheirs) {
+TEST_F(Healthy, WindowsAreRequiredForAHealthyBackground) {
   Arguments without = train_on_healthy;
   without.erase(without.begin() + 4, without.begin() + 6);
   without.insert(without.end(), {"--background-from", "healthy"});
@@ -53,12 +53,12 @@ TEST_F(Healthy, WindowsAreAskedForWhereTheBackgroundIsTheirs) {
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
-TEST_F(Healthy, WindowsAreNotTakenByWhatLearnsNothingOfThem) {
+TEST_F(Healthy, WindowsAreRefusedByOtherMethods) {
   expect_refusal(tiny_.run("train", with(train_on_healthy, "--method", "smote")), "train", 2,
                  {"--healthy"});
 }
 
-TEST_F(Healthy, ALoadZoneMustNotEndBeforeItBegins) {
+TEST_F(Healthy, ReversedLoadZoneIsRefused) {
   Arguments reversed = train_on_healthy;
   reversed.insert(reversed.end(), {"--load-zone-from", "0.8", "--load-zone-to", "0.4"});
   expect_refusal(tiny_.run("train", reversed), "train", 2, {"--load-zone-from", "--load-zone-to"});

@@ -31,7 +31,7 @@ TEST_F(IdentifyStage, MakesTheTables) {
             std::string::npos);
 }
 
-TEST_F(IdentifyStage, ComparesAllModelsThatTheRunHolds) {
+TEST_F(IdentifyStage, ComparesAllModelsOfTheRun) {
   ASSERT_EQ(tiny_
                 .run("train", with(with(step_of("train").arguments, "--method", "ae"), "--output",
                                    "run/tiny/seed0/ae/model.h5"))
@@ -58,7 +58,7 @@ TEST_F(IdentifyStage, RefusesAModelOfAnotherPlace) {
                  {"run/tiny/seed1/piae-dt/model.h5", "seed 0; here it must be piae-dt, seed 1"});
 }
 
-TEST_F(IdentifyStage, RefusesAMethodThatInfersNothing) {
+TEST_F(IdentifyStage, RefusesAMethodThatDoesNotInfer) {
   ASSERT_EQ(tiny_
                 .run("train", {"--method", "smote", "--known", "C.h5", "--seed", "0", "--output",
                                "run/tiny/seed0/smote/model.h5"})

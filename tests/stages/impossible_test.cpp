@@ -220,7 +220,7 @@ TEST_F(Impossible, ModelsOfTwins) {
       });
 }
 
-TEST_F(Impossible, ModelsOfTheTwinWithItsAngle) {
+TEST_F(Impossible, ModelsOfThePhaseTwin) {
   expect_model_refused(
       "piae-dt-phase",
       {"--width", "8", "--epochs", "2", "--simulations", "6", "--inference-epochs", "2",
@@ -239,11 +239,12 @@ TEST_F(Impossible, ModelsOfTheTwinWithItsAngle) {
       });
 }
 
-TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
+TEST_F(Impossible, ModelsOfTheStrikeTwin) {
   expect_model_refused(
       "strike-twin", {"--healthy", "B.h5"},
       {
-          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0), "is struck"},
+          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0),
+           "impacts per second"},
           {"knots 2^40", attribute("/equaliser", "knots", huge), "knots"},
           {"background 2", attribute("/carry", "background", 2.0), "background"},
           {"dispersion of an hour", attribute("/carry", "dispersion_ms", 3.6e6), "dispersion_ms"},
@@ -276,14 +277,15 @@ TEST_F(Impossible, ModelsOfTheTwinThatIsStruck) {
       });
 }
 
-TEST_F(Impossible, ModelsOfMethodsThatKnowNoFault) {
+TEST_F(Impossible, ModelsOfMethodsWithoutKnownFaults) {
   const auto of_a_fault = [](hid_t file) {
     change_numbers<std::int32_t>(file, "/labels", [](auto& labels) { labels[0] = 1; });
   };
   expect_model_refused(
       "piae-dt-zero", {"--healthy", "B.h5"},
       {
-          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0), "is struck"},
+          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0),
+           "impacts per second"},
           {"a fault among the healthy windows", of_a_fault, "IR007"},
           {"slip 1", attribute("/prior", "slip", 1.0), "slip"},
           {"resonances 2^40", attribute("/prior", "resonances", huge), "resonances"},

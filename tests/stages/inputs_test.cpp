@@ -52,7 +52,7 @@ class Inputs : public testing::TestWithParam<Input> {
   Tiny tiny_;
 };
 
-TEST_P(Inputs, AreRefusedWhenTheyCannotBeUsed) {
+TEST_P(Inputs, AreRefusedIfUnusable) {
   expect_refused("nowhere.h5", 66, {"No such file"});
   fs::create_directory(tiny_ / "folder.h5");
   expect_refused("folder.h5", 66, {"not a file"});
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Inputs,
                          name_of);
 
 /// For the other options of diagnose it suffices to test that they are checked.
-TEST(InputsOfDiagnose, AreRefusedEachByItself) {
+TEST(InputsOfDiagnose, AreEachRefused) {
   const Tiny tiny;
   tiny.run_chain_before("score");
   const Arguments& good = step_of("diagnose").arguments;
@@ -103,7 +103,7 @@ TEST(InputsOfDiagnose, AreRefusedEachByItself) {
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST(InputsOfTrain, NothingButTheKnownWindowsIsTakenForTraining) {
+TEST(InputsOfTrain, OnlyKnownWindowsAreAccepted) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const std::set<std::string> before = tiny.files();
@@ -159,7 +159,7 @@ TEST(Content, EmptyClassIsNamed) {
   EXPECT_EQ(tiny.run("verify", {"C.h5"}).status, 16);
 }
 
-TEST(Content, MoreWindowsThanFitAreRefusedWithTheNumberThatFits) {
+TEST(Content, TooManyWindowsAreRefusedWithThePossibleNumber) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   const std::set<std::string> before = tiny.files();
@@ -221,7 +221,7 @@ TEST_F(Ingest, RefusesNaN) {
   expect_refused(65, {"inner.csv", "NaN", "100"});
 }
 
-TEST_F(Ingest, RefusesWhatIsNoNumber) {
+TEST_F(Ingest, RefusesTextThatIsNotANumber) {
   folder_.write("data/inner.csv", csv(2, "broken"));
   expect_refused(65, {"inner.csv", "line 102", "broken"});
 }
@@ -231,17 +231,17 @@ TEST_F(Ingest, RefusesOneRecordingUnderTwoClasses) {
   expect_refused(65, {"inner.csv", "normal.csv"});
 }
 
-TEST_F(Ingest, RefusesAWrongSum) {
+TEST_F(Ingest, RefusesAWrongDigest) {
   folder_.write("raw.toml", raw_description("sha256 = \"" + std::string(64, '0') + "\"\n"));
   expect_refused(65, {"inner.csv", "sha256"});
 }
 
-TEST_F(Ingest, SaysWhichFileIsMissing) {
+TEST_F(Ingest, NamesTheMissingFile) {
   fs::remove(folder_ / "data/inner.csv");
   expect_refused(66, {"data/inner.csv", "IR007"});
 }
 
-TEST_F(Ingest, RefusesFilesThatAreNotWhatTheirNamesSay) {
+TEST_F(Ingest, RefusesFilesWithAWrongExtension) {
   folder_.write("raw.toml", raw_description());
   for (const std::string name : {"data/inner.mat", "data/inner.h5", "data/inner.png"}) {
     std::string description = raw_description();
@@ -263,7 +263,7 @@ TEST_F(Ingest, RefusesRecordingsAndDescriptionsThatArePipes) {
 }
 
 // Another program runs the reading libraries. Neither its files nor its messages may remain.
-TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
+TEST_F(Ingest, RefusesARecordingThatClaimsTooMuchData) {
   std::string description = raw_description();
   description.replace(description.find("inner.csv"), 9, "inner.mat");
   description.replace(description.rfind("acceleration"), 12, "x");
@@ -276,7 +276,7 @@ TEST_F(Ingest, RefusesARecordingThatSaysToHoldMoreThanItCan) {
   EXPECT_NE(check.out.find("data/inner.mat: variable x declares"), std::string::npos) << check.out;
 }
 
-TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
+TEST_F(Ingest, RefusesAMissingDamagedOrForeignDescription) {
   folder_.write("raw.toml", "name = \n");
   expect_refused(65, {"raw.toml", "line"});
   folder_.write("raw.toml", raw_description("colour = 3\n"));
@@ -286,7 +286,7 @@ TEST_F(Ingest, RefusesADescriptionThatIsMissingDamagedOrOfAnotherKind) {
 }
 
 // Sparse files take no disk space, but reading them would take all memory, or minutes.
-TEST_F(Ingest, RefusesFilesThatSayToBeHuge) {
+TEST_F(Ingest, RefusesFilesThatClaimToBeHuge) {
   fs::resize_file(folder_ / "data/inner.csv", 12'000'000'000);
   expect_refused(65, {"data/inner.csv", "is larger than 4000 MB"});
   fs::resize_file(folder_ / "raw.toml", 12'000'000'000);
@@ -296,7 +296,7 @@ TEST_F(Ingest, RefusesFilesThatSayToBeHuge) {
 }
 
 // The variable becomes an argument of another program.
-TEST_F(Ingest, RefusesAVariableWithoutEnd) {
+TEST_F(Ingest, RefusesAnEndlessVariable) {
   std::string description = raw_description();
   description.replace(description.find("acceleration"), 12, std::string(500'000, 'v'));
   folder_.write("raw.toml", description);
@@ -320,7 +320,7 @@ TEST(Simulate, RefusesADescriptionThatCannotBeSimulated) {
 }
 
 // Windows of another split's C may be in this split's A or D.
-TEST(InputsOfDiagnoseAndScore, AGeneratorOfAnotherSplitIsRefused) {
+TEST(InputsOfDiagnoseAndScore, GeneratorOfAnotherSplitIsRefused) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   Arguments other_split = step_of("split").arguments;

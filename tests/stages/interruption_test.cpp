@@ -46,7 +46,7 @@ class Interruption : public testing::Test {
     const Arguments other = with(with(to("other.h5"), "--epochs", "4"), "--seed", "1");
     const Outcome outcome = tiny_.run("train", other);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("starts anew"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("starts again"), std::string::npos) << outcome.err;
     ASSERT_EQ(tiny_.run("train", with(other, "--output", "fresh.h5")).status, 0);
     EXPECT_TRUE(bytes_of(tiny_ / "other.h5") == bytes_of(tiny_ / "fresh.h5"));
   }
@@ -55,7 +55,7 @@ class Interruption : public testing::Test {
   std::mt19937 random_{17};
 };
 
-TEST_F(Interruption, SigtermLeavesACheckpointFromWhichTheSameCommandGoesOn) {
+TEST_F(Interruption, SigtermLeavesACheckpointToContinueFrom) {
   for (int cut = 0; cut < 2; ++cut) {
     Process train(tiny_.path(), "train", to("cut.h5"));
     train.wait_until_it_catches_sigterm();
@@ -77,7 +77,7 @@ TEST_F(Interruption, SigtermLeavesACheckpointFromWhichTheSameCommandGoesOn) {
 }
 
 /// srun forwards USR1; closing a terminal sends HUP.
-TEST_F(Interruption, OtherSignalsAreTakenLikeSigterm) {
+TEST_F(Interruption, OtherSignalsActLikeSigterm) {
   for (const int signal : {SIGUSR1, SIGHUP, SIGINT}) {
     Process train(tiny_.path(), "train", to("cut.h5"));
     train.wait_until_it_catches_sigterm();
@@ -89,12 +89,12 @@ TEST_F(Interruption, OtherSignalsAreTakenLikeSigterm) {
   expect_finished_as_uncut();
 }
 
-TEST_F(Interruption, OfATrainingThatHasJustStartedLeavesACheckpoint) {
+TEST_F(Interruption, RightAfterTheStartLeavesACheckpoint) {
   expect_checkpoints_at_once(tiny_, to("cut.h5"));
   expect_finished_as_uncut();
 }
 
-TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
+TEST_F(Interruption, KilledTrainingLeavesNoPartialFile) {
   for (int cut = 0; cut < 5; ++cut) {
     Process train(tiny_.path(), "train", to("cut.h5"));
     train.wait_until_it_catches_sigterm();
@@ -110,7 +110,7 @@ TEST_F(Interruption, KilledTrainingLeavesNothingHalf) {
   expect_finished_as_uncut();
 }
 
-TEST(Killed, SplitLeavesNothingHalf) {
+TEST(Killed, SplitLeavesNoPartialFile) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const Arguments arguments = with(step_of("split").arguments, "--output-dir", "cut");

@@ -28,7 +28,7 @@ TEST(Machine, IsWrittenToAFileOrToStandardOutput) {
   EXPECT_TRUE(healthy.out != bytes);
 }
 
-TEST(Machine, WhatCannotBeIsRefused) {
+TEST(Machine, ImpossibleOptionsAreRefused) {
   const Tiny tiny;
   expect_refusal(tiny.run("simulate", machine("OR007", "raw.f32")), "simulate", 2,
                  {"--stream OR007", "Normal, IR007, OR021"});
@@ -43,7 +43,7 @@ TEST(Machine, WhatCannotBeIsRefused) {
   EXPECT_EQ(tiny.files(), std::set<std::string>{"tiny.toml"});
 }
 
-TEST(Machine, AFullDiskIsAnError) {
+TEST(Machine, FullDiskIsAnError) {
   const Tiny tiny;
   Surroundings small_disk;
   small_disk.largest_file = 2000;

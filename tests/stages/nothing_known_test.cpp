@@ -13,7 +13,7 @@ const Arguments train_of_nothing{"--method", "oracle", "--known", "C.h5",     "-
                                  "D.h5",     "--seed", "0",       "--output", "oracle.h5"};
 const Arguments generate_of_nothing{"--model", "oracle.h5", "--count",  "25",
                                     "--seed",  "0",         "--output", "oracle_E.h5"};
-const std::string no_window = "C.h5: holds no known fault window (known-per-class = 0), and ";
+const std::string no_window = "C.h5: has no known fault windows (known-per-class = 0), ";
 
 /// Returns the arguments of a step, with the windows of oracle instead of others.
 Arguments of_oracle(const std::string& stage, const std::string& output) {
@@ -48,13 +48,13 @@ class NothingKnown : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(NothingKnown, IsSaidOfASplitWhoseArtefactsAreWhole) {
+TEST_F(NothingKnown, SplitReportsItAndIsComplete) {
   const Outcome outcome =
       run_well("split", with(with(step_of("split").arguments, "--known-per-class", "0"),
                              "--windows-per-class", "35"));
   EXPECT_NE(outcome.out.find("split: A 30 B 25 C 0 D 50 windows"), std::string::npos);
   EXPECT_NE(outcome.out.find(
-                "no fault window is known (known-per-class = 0), so C.h5 holds none\nsplit: A 30 "),
+                "no fault windows are known (known-per-class = 0), so C.h5 is empty\nsplit: A 30 "),
             std::string::npos)
       << outcome.out;
   run_well("verify", {"A.h5", "B.h5", "C.h5", "D.h5"});
@@ -67,12 +67,13 @@ TEST_F(NothingKnown, MethodsThatLearnFromKnownWindowsAreRefused) {
     expect_refusal(tiny_.run("train", {"--method", method, "--known", "C.h5", "--seed", "0",
                                        "--output", "model.h5"}),
                    "train", 65,
-                   {no_window + method + " learns from those; methods that need none: ", "oracle"});
+                   {no_window + "but " + method + " learns from them; use a method that does not: ",
+                    "oracle"});
   }
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
-TEST_F(NothingKnown, RealWindowsInTheirPlaceGoThroughAllStages) {
+TEST_F(NothingKnown, OracleWorksThroughAllStages) {
   make_windows();
   run_well("score", of_oracle("score", "score.h5"));
   run_well("diagnose", of_oracle("diagnose", "cell.h5"));
@@ -83,27 +84,28 @@ TEST_F(NothingKnown, RealWindowsInTheirPlaceGoThroughAllStages) {
   EXPECT_EQ(cell.real("/", "true_ratio"), 25.0 / 5);
 }
 
-TEST_F(NothingKnown, WithoutAnyFaultWindowClassifiersAreRefused) {
+TEST_F(NothingKnown, ClassifiersNeedAFaultWindow) {
   for (const std::string classifier : {"wdcnn", "nearest"}) {
     expect_refusal(tiny_.run("diagnose", with(of_none(), "--classifier", classifier)), "diagnose",
-                   65, {no_window + "without any, " + classifier + " cannot learn"});
+                   65, {no_window + "and " + classifier + " cannot learn faults without any"});
   }
   EXPECT_FALSE(fs::exists(tiny_ / "cell.h5"));
   expect_refusal(tiny_.run("diagnose", with(of_none(), "--classifier", "symptom-net")), "diagnose",
-                 65, {"or choose a rule by --classifier: envelope-rule, exclusion-rule"});
+                 65, {"or a rule by --classifier: envelope-rule, exclusion-rule"});
 }
 
-TEST_F(NothingKnown, RulesNeedNone) {
+TEST_F(NothingKnown, RulesDoNotNeedFaultWindows) {
   for (const std::string rule : {"envelope-rule", "exclusion-rule"}) {
     const Outcome outcome =
         run_well("diagnose", with(with(of_none(), "--classifier", rule), "--output", "rule.h5"));
-    EXPECT_NE(outcome.out.find("against 25 healthy ones (none 100to1, " + rule), std::string::npos)
+    EXPECT_NE(outcome.out.find("by comparison with 25 healthy windows (none 100to1, " + rule),
+              std::string::npos)
         << outcome.out;
     run_well("verify", {"rule.h5"});
   }
 }
 
-TEST_F(NothingKnown, IsSaidInTheTables) {
+TEST_F(NothingKnown, TablesReportIt) {
   make_windows();
   run_well("diagnose", of_oracle("diagnose", "run/tiny/seed0/oracle/50to1/wdcnn/diagnosis.h5"));
   Arguments tabulate{"--run",    "run",          "--dataset",

@@ -32,7 +32,7 @@ class Oracle : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(Oracle, PutsRealWindowsInThePlaceOfGeneratedOnes) {
+TEST_F(Oracle, UsesRealWindowsInsteadOfGeneratedOnes) {
   run_well("train", train);
   run_well("generate", generate);
   run_well("diagnose", diagnose);
@@ -40,7 +40,7 @@ TEST_F(Oracle, PutsRealWindowsInThePlaceOfGeneratedOnes) {
   EXPECT_EQ(artefact::Reader(tiny_ / "cell.h5", "diagnosis").text("/", "method"), "oracle");
 }
 
-TEST_F(Oracle, TakesTheDOfItsOwnSplitOnly) {
+TEST_F(Oracle, NeedsDOfItsOwnSplit) {
   expect_refusal(tiny_.run("train", with(train, "--real", "C.h5")), "train", 65,
                  {"C.h5", "role C", "must have role D"});
   split_again("--seed", "1");
@@ -68,7 +68,7 @@ TEST_F(Oracle, OfAnotherSplitIsRefused) {
   expect_refusal(tiny_.run("diagnose", other), "diagnose", 65, {"oracle_E.h5", "other/C.h5"});
 }
 
-TEST_F(Oracle, AloneIsGivenD) {
+TEST_F(Oracle, IsTheOnlyMethodThatTakesD) {
   expect_refusal(tiny_.run("train", with(train, "--method", "smote")), "train", 2, {"--real"});
   Arguments without = train;
   without.erase(without.begin() + 4, without.begin() + 6);

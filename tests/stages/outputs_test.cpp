@@ -39,7 +39,7 @@ class Outputs : public testing::TestWithParam<Output> {
   std::string stage_ = GetParam().stage;
 };
 
-TEST_P(Outputs, ThatCannotBeMadeAreNamedAndNothingIsLeft) {
+TEST_P(Outputs, ImpossiblePathsAreNamedAndNothingIsLeft) {
   tiny_.write("file", "in the way");
   expect_failed("file/folder", "choose another");
 
@@ -50,7 +50,7 @@ TEST_P(Outputs, ThatCannotBeMadeAreNamedAndNothingIsLeft) {
   expect_failed("fixed", "Permission denied", user);
 }
 
-TEST_P(Outputs, ThatDoNotFitOnTheDiskLeaveTheFormerOnes) {
+TEST_P(Outputs, FullDiskKeepsTheOldOutputs) {
   Surroundings small_disk;
   small_disk.largest_file = 2000;
   expect_failed("new", "File too large", small_disk);
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Outputs,
                          [](const auto& info) { return info.param.stage; });
 
 // Roles of one split must not mix with those of another.
-TEST(OutputsOfSplit, OneThatCannotBeWrittenLeavesNone) {
+TEST(OutputsOfSplit, FailureLeavesNone) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   fs::create_symlink("x", tiny / "D.h5");
@@ -97,7 +97,7 @@ TEST(OutputsOfSplit, OneThatCannotBeWrittenLeavesNone) {
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST(OutputsOfTabulate, OneThatCannotBeWrittenLeavesNoTable) {
+TEST(OutputsOfTabulate, FailureLeavesNoTable) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   tiny.write("elsewhere", "precious");
@@ -125,7 +125,7 @@ TEST(OutputsOfGenerate, DoNotReplaceTheirInput) {
   EXPECT_TRUE(bytes_of(tiny / "model.h5") == before);
 }
 
-TEST(OutputsOfGenerate, DoNotReplaceWhatIsNoFile) {
+TEST(OutputsOfGenerate, DoNotReplaceAnythingButFiles) {
   const Tiny tiny;
   tiny.run_chain_before("generate");
   fs::create_directory(tiny / "pipes");
@@ -136,7 +136,7 @@ TEST(OutputsOfGenerate, DoNotReplaceWhatIsNoFile) {
 }
 
 // A training may take hours, so unwritable outputs are reported before it starts.
-TEST(OutputsOfTrain, AreLookedAtBeforeItBegins) {
+TEST(OutputsOfTrain, AreCheckedBeforeTraining) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   tiny.write("victim", "precious");

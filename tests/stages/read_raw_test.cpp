@@ -56,7 +56,7 @@ class OutputsOfReadRaw : public testing::TestWithParam<std::tuple<Place, Place>>
   Folder folder_;
 };
 
-TEST_P(OutputsOfReadRaw, GetTheNumbersOrSayWhyNot) {
+TEST_P(OutputsOfReadRaw, HaveTheNumbersOrAReason) {
   const auto& [out, err] = GetParam();
   EXPECT_EQ(read("1"), out.keeps ? 0 : 1);
   if (out.keeps) {
@@ -71,7 +71,7 @@ TEST_P(OutputsOfReadRaw, GetTheNumbersOrSayWhyNot) {
   }
 }
 
-TEST_P(OutputsOfReadRaw, AreToldOfAFaultInTheFile) {
+TEST_P(OutputsOfReadRaw, ReportAFaultInTheFile) {
   const auto& [out, err] = GetParam();
   EXPECT_EQ(read("7"), 65);
   if (err.keeps) {

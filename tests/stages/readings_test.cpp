@@ -56,7 +56,7 @@ double value_behind(const std::string& csv, const std::string& begin) {
 }
 
 /// The table's weights and losses are those of the model.
-TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
+TEST_F(ReadingsStage, ShowsTheDistanceOfWeightsFromTheStationaryPoint) {
   ASSERT_EQ(tiny_.run("readings", readings).status, 0);
   const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");
   const auto value = [&](const std::string& quantity) {
@@ -70,7 +70,7 @@ TEST_F(ReadingsStage, TellsHowFarTheWeightsAreFromTheirStationaryPoint) {
 }
 
 /// `identify` compares the same model with the same truth.
-TEST_F(ReadingsStage, AgreeWithTheTruthAsIdentifySays) {
+TEST_F(ReadingsStage, AgreesWithIdentify) {
   ASSERT_EQ(tiny_.run("readings", readings).status, 0);
   fs::copy(tiny_ / "model.h5", tiny_ / "run/tiny/seed0/piae-dt/model.h5");
   ASSERT_EQ(tiny_

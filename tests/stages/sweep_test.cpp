@@ -25,7 +25,7 @@ void make_moved_cell(const Tiny& tiny) {
       with(with(step_of("diagnose").arguments, "--generated", "moved_E.h5"), "--output", cell));
 }
 
-TEST(Sweep, TableIsMadeFromItsOwnCellsAndTheGrids) {
+TEST(Sweep, TableUsesCellsOfSweepAndGrid) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   make_moved_cell(tiny);
@@ -64,7 +64,7 @@ void make_parts(const Tiny& tiny) {
 }
 
 /// Runs the steps by hand, with the protocol itself.
-TEST(Sweep, OfAnotherMethodIsComparedWithTheMethodAsItIs) {
+TEST(Sweep, ComparesAnotherMethodWithItsDefault) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   make_parts(tiny);
@@ -82,7 +82,7 @@ TEST(Sweep, OfAnotherMethodIsComparedWithTheMethodAsItIs) {
   expect_refusal(tiny.run("sweep", with(parts, "--method", "smot")), "sweep", 2, {"smot", "smote"});
 }
 
-TEST(Sweep, MissingCellIsNamedAndNoTableIsMade) {
+TEST(Sweep, MissingCellIsNamedAndNothingIsWritten) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   const std::set<std::string> before = tiny.files();
@@ -94,7 +94,7 @@ TEST(Sweep, MissingCellIsNamedAndNoTableIsMade) {
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST(Sweep, PointsThatCannotBeAreNamed) {
+TEST(Sweep, ImpossiblePointsAreNamed) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   expect_refusal(tiny.run("sweep", with(sweep, "--centre", "batch=7")), "sweep", 2, {"batch=7"});

@@ -23,7 +23,7 @@ std::map<std::string, std::string> tables_of(const Tiny& tiny) {
   return tables;
 }
 
-TEST(TablesOfAPart, AreThoseOfAllThatTheRunHolds) {
+TEST(TablesOfAPart, IncludeAllCellsOfTheRun) {
   const Tiny tiny;
   tiny.run_chain_before("");
   const auto of_the_whole = tables_of(tiny);
@@ -35,7 +35,7 @@ TEST(TablesOfAPart, AreThoseOfAllThatTheRunHolds) {
   EXPECT_EQ(tables_of(tiny), of_the_whole);
 }
 
-TEST(TablesOfAPart, LeaveOutWhatIsOutOfDateAndSaySo) {
+TEST(TablesOfAPart, LeaveOutAndReportStaleCells) {
   const Tiny tiny;
   tiny.run_chain_before("");
   Arguments arguments = asking_for("none", "100to1");
@@ -48,7 +48,7 @@ TEST(TablesOfAPart, LeaveOutWhatIsOutOfDateAndSaySo) {
   EXPECT_NE(bytes_of(tiny / "run/tiny/tables.md").find("Left out, since"), std::string::npos);
 }
 
-TEST(TablesOfAPart, NeedWhatIsAskedFor) {
+TEST(TablesOfAPart, NeedTheRequestedCells) {
   const Tiny tiny;
   tiny.run_chain_before("");
   const auto of_the_whole = tables_of(tiny);
@@ -60,7 +60,7 @@ TEST(TablesOfAPart, NeedWhatIsAskedFor) {
 }
 
 /// Models are not cells: a run copied without them has all tables but this one.
-TEST(Tabulate, SaysHowTheTrainingsOfTheTwinsEndedWhereTheRunHoldsModels) {
+TEST(Tabulate, ReportsTheEndOfTwinTrainingsIfModelsExist) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   const auto tables = [&] {
@@ -89,7 +89,7 @@ std::vector<std::string> fields_after(const std::string& table, const std::strin
 }
 
 /// A decision over one window is what accuracy counts; A has 10 windows of each of three classes.
-TEST(Tabulate, DecidesOverSeveralWindowsWhereTheRunHoldsTheTestWindows) {
+TEST(Tabulate, DecidesOverSeveralWindowsIfTestWindowsExist) {
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
   const auto decisions = [&] {
@@ -119,7 +119,7 @@ TEST(Tabulate, DecidesOverSeveralWindowsWhereTheRunHoldsTheTestWindows) {
       "1");
 }
 
-TEST(Tabulate, RefusesTestWindowsThatADiagnosisIsNotOf) {
+TEST(Tabulate, RefusesTestWindowsOfAnotherDiagnosis) {
   const Tiny tiny;
   tiny.run_chain_before("");
   const auto before = tables_of(tiny);

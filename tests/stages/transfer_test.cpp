@@ -28,7 +28,7 @@ TEST_F(TransferStage, WritesTheTablesOfTheGroup) {
   const Outcome outcome = tiny_.run("transfer", transfer);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "averaged 3 pairs of method and input over 1 data sets: run/transfer@g.md\n");
+            "averaged 3 pairs of method and input over 1 datasets: run/transfer@g.md\n");
   const std::string csv = bytes_of(tiny_ / "run/transfer@g.csv");
   EXPECT_NE(csv.find("\nmean,,piae-dt,against,wdcnn,1,1,50to1,mean,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\ntiny,,none,bar,nearest,0,0,100to1,0,"), std::string::npos) << csv;
@@ -51,7 +51,7 @@ TEST_F(TransferStage, ReadsTheGroupFromTheProtocol) {
 }
 
 /// A seed that one of the datasets lacks is a missing cell.
-TEST_F(TransferStage, NamesAMissingCellAndMakesNoTable) {
+TEST_F(TransferStage, NamesAMissingCellAndWritesNothing) {
   const std::set<std::string> before = tiny_.files();
   const Outcome outcome = tiny_.run("transfer", with(transfer, "--seeds", "1"));
   EXPECT_EQ(outcome.status, 66);
@@ -70,7 +70,7 @@ TEST_F(TransferStage, RefusesCellsOfAnotherDataset) {
       << outcome.err;
 }
 
-TEST_F(TransferStage, RefusesAClassifierThatThereIsNot) {
+TEST_F(TransferStage, RefusesAnUnknownClassifier) {
   expect_refusal(tiny_.run("transfer", with(transfer, "--classifiers", "cnn")), "transfer", 2,
                  {"--classifiers: must have wdcnn"});
   expect_refusal(tiny_.run("transfer", with(transfer, "--classifiers", "wdcnn,cnn")), "transfer", 2,

@@ -85,7 +85,7 @@ TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {
 }
 
 /// piae-dt-phase always draws class by class.
-TEST(Usage, TrainHelpShowsNoOptionThatTheMethodHasNoUseFor) {
+TEST(Usage, TrainHelpShowsNoUnusedOption) {
   const Folder folder;
   for (const auto& [method, has_space] : {std::pair{"piae-dt", true}, {"piae-dt-phase", false}}) {
     const Outcome help = run(folder.path(), "train", {"--method", method, "--help"});
@@ -101,7 +101,7 @@ struct ImpossibleValue {
   std::vector<std::string> words;
 };
 
-TEST(Usage, ImpossibleValuesAreNamedWithThoseThatAreKnown) {
+TEST(Usage, ImpossibleValuesAreNamedWithKnownOnes) {
   const std::vector<ImpossibleValue> cases{
       {"train", "--epochs", "0", {"--epochs"}},
       {"train", "--epochs", "many", {"--epochs", "many"}},
@@ -126,7 +126,7 @@ TEST(Usage, ImpossibleValuesAreNamedWithThoseThatAreKnown) {
   EXPECT_EQ(tiny.files(), before);
 }
 
-TEST(Usage, UnknownMethodIsNamedWithThoseThatAreKnown) {
+TEST(Usage, UnknownMethodIsNamedWithKnownOnes) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   expect_refusal(tiny.run("train", {"--method", "magic", "--known", "C.h5", "--seed", "0",
@@ -148,7 +148,7 @@ TEST(Usage, UnknownPartsOfTheGridAreNamed) {
   expect_refusal(tabulate("none", "100to1", "one"), "tabulate", 2, {"one"});
 }
 
-TEST(Usage, DiagnoseNeedsGeneratedWindowsExactlyWhereTheRatioUsesThem) {
+TEST(Usage, DiagnoseNeedsGeneratedWindowsOnlyIfTheRatioUsesThem) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   fs::copy_file(tiny / "C.h5", tiny / "E.h5");

@@ -59,7 +59,7 @@ class Verify : public testing::Test {
 };
 
 // Lack of memory is not an error of a file.
-TEST_F(Verify, SaysWhenMemoryIsShort) {
+TEST_F(Verify, ReportsALackOfMemory) {
   fs::copy_file(tiny_ / "A.h5", tiny_ / "large.h5");
   fs::resize_file(tiny_ / "large.h5", 2'000'000'000);
   Surroundings small;
@@ -88,7 +88,7 @@ TEST_F(Verify, HasABitForEachReason) {
   expect_status({"foreign.h5", "hollow.h5", "damaged.h5", "nowhere.h5"}, 1 + 4 + 8 + 16, 4);
 }
 
-TEST_F(Verify, RefusesKindsAndSchemasThatItDoesNotKnow) {
+TEST_F(Verify, RefusesUnknownKindsAndSchemas) {
   artefact::Writer("cake").save(tiny_ / "cake.h5", {"test", "", {}});
   expect_status({"cake.h5"}, 8, 1);
   doctor(tiny_ / "B.h5", [](hid_t file) {
@@ -101,7 +101,7 @@ TEST_F(Verify, RefusesKindsAndSchemasThatItDoesNotKnow) {
 }
 
 // U+009B begins a command as ESC [ does, and U+202E reverses the following text.
-TEST_F(Verify, AndTheStagesPrintNoCommandsOfATerminal) {
+TEST_F(Verify, AndTheStagesPrintNoTerminalCommands) {
   for (const std::string command : {"\xC2\x9B"
                                     "2J",
                                     "\x1B[2J", "\xE2\x80\xAE", "\xFF"}) {
@@ -116,7 +116,7 @@ TEST_F(Verify, AndTheStagesPrintNoCommandsOfATerminal) {
   }
 }
 
-TEST_F(Verify, PrintsNoLineWithoutEnd) {
+TEST_F(Verify, LimitsTheLengthOfLines) {
   artefact::Writer(std::string(60'000, 'x')).save(tiny_ / "long.h5", {"test", "", {}});
   const Outcome verified = tiny_.run("verify", {"long.h5"});
   EXPECT_EQ(verified.status, 8);

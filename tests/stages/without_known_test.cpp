@@ -22,7 +22,7 @@ class WithoutKnown : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Stages, WithoutKnown,
                          testing::Values("piae-dt-zero", "healthy-plus-impulses"));
 
-TEST_P(WithoutKnown, TrainsGeneratesIsVerifiedAndScored) {
+TEST_P(WithoutKnown, TrainsGeneratesVerifiesAndScores) {
   ASSERT_EQ(tiny_.run("train", training()).status, 0);
   const Arguments generating{"--model", "model.h5", "--count",  "3",
                              "--seed",  "0",        "--output", "E.h5"};
@@ -37,7 +37,7 @@ TEST_P(WithoutKnown, TrainsGeneratesIsVerifiedAndScored) {
   EXPECT_EQ(bytes_of(tiny_ / "E.h5"), few);
 }
 
-TEST_P(WithoutKnown, NeedsNoKnownWindow) {
+TEST_P(WithoutKnown, DoesNotNeedKnownWindows) {
   ASSERT_EQ(tiny_.run("split", with(step_of("split").arguments, "--known-per-class", "0")).status,
             0);
   ASSERT_EQ(tiny_.run("train", training()).status, 0);
@@ -49,21 +49,21 @@ TEST_P(WithoutKnown, NeedsNoKnownWindow) {
   EXPECT_EQ(tiny_.run("verify", {"C.h5", "model.h5", "E.h5"}).status, 0);
 }
 
-TEST_P(WithoutKnown, AsksForHealthyWindows) {
+TEST_P(WithoutKnown, NeedsHealthyWindows) {
   Arguments without = training();
   without.erase(without.begin() + 4, without.begin() + 6);
   expect_refusal(tiny_.run("train", without), "train", 2, {"--healthy"});
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
-TEST_P(WithoutKnown, RefusesWindowsThatMayHoldNoStrike) {
+TEST_P(WithoutKnown, RefusesWindowsTooShortForAnImpact) {
   ASSERT_EQ(tiny_.run("split", with(step_of("split").arguments, "--window", "100")).status, 0);
   expect_refusal(tiny_.run("train", training()), "train", 65,
-                 {"windows of 100 samples may hold no strike; 112 or more would do"});
+                 {"windows of 100 samples may miss them; use 112 samples or more"});
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
 }
 
-TEST_P(WithoutKnown, RefusesARangeThatEndsBeforeItBegins) {
+TEST_P(WithoutKnown, RefusesAReversedRange) {
   Arguments reversed = training();
   reversed.insert(reversed.end(), {"--level-from-db", "10", "--level-to-db", "0"});
   expect_refusal(tiny_.run("train", reversed), "train", 2, {"--level-from-db", "--level-to-db"});

@@ -56,7 +56,7 @@ TEST(Baseline, CountsDeviationsOfHealthyWindows) {
 }
 
 // 9 .. 16 have the mean 12.5, and all sixteen 8.5 and the variance 255 / 12.
-TEST(Baselines, AreOfTheWindowsOfASpeedOrElseOfAll) {
+TEST(Baselines, UseWindowsOfASpeedOtherwiseAll) {
   const Healthy healthy(eight_of_each({1000, 2000}));
   Baselines baselines(healthy.windows, healthy.measures);
   const auto excess = [&](double speed_rpm) {
@@ -69,7 +69,7 @@ TEST(Baselines, AreOfTheWindowsOfASpeedOrElseOfAll) {
 }
 
 // Seven windows of a speed are too few.
-TEST(Baselines, AreOfAllWhereFewAreOfASpeed) {
+TEST(Baselines, UseAllWindowsIfFewHaveASpeed) {
   std::vector<double> speeds = eight_of_each({1000});
   speeds.insert(speeds.end(), 7, 2000);
   const Healthy healthy(speeds);
@@ -77,7 +77,7 @@ TEST(Baselines, AreOfAllWhereFewAreOfASpeed) {
   EXPECT_NEAR(baselines.at(2000).rise_db(measures_of(9))[0], 1, 1e-12);  // 1 .. 15 have the mean 8
 }
 
-TEST(Baselines, LeaveOutBlocksOfTheTimeNotOfTheOrderInTheSet) {
+TEST(Baselines, LeaveOutBlocksByTimeNotByOrder) {
   const Healthy sorted(std::vector<double>(8, 1800));
   Healthy mixed = sorted;
   mixed.windows.record_names = {"healthy"};
@@ -99,10 +99,10 @@ TEST(Baselines, LeaveOutBlocksOfTheTimeNotOfTheOrderInTheSet) {
 TEST(Baselines, NeedEightHealthyWindows) {
   const Healthy healthy(std::vector<double>(7, 1800));
   EXPECT_ERROR(Baselines(healthy.windows, healthy.measures), Exit::bad_input,
-               "7 healthy windows are too few to compare others with; 8 or more would do");
+               "7 healthy windows are too few for a baseline; use 8 or more");
 }
 
-TEST(Baselines, AreOfTheHealthyWindowsAlone) {
+TEST(Baselines, UseHealthyWindowsOnly) {
   Healthy healthy(std::vector<double>(9, 1800));
   healthy.windows.labels.back() = 1;
   Baselines baselines(healthy.windows, healthy.measures);
@@ -152,16 +152,16 @@ TEST_F(StoredBaselines, CompareAsBefore) {
   EXPECT_NE(after.at(1000).excesses(measured), after.at(2000).excesses(measured));
 }
 
-TEST_F(StoredBaselines, AreOfTheSameBands) {
+TEST_F(StoredBaselines, NeedTheSameBands) {
   const artefact::Reader reader = written(with_all_bands(eight_of_each({1000})));
   // There are nine narrow bands at 12 kHz, and fewer at 6 kHz.
   EXPECT_ERROR(Baselines::read(reader, "/some", 6000), Exit::bad_input, "/some/levels_db");
   EXPECT_ERROR(Baselines::read(reader, "/other", 12000), Exit::bad_input, "/other/speed_rpm");
 }
 
-TEST_F(StoredBaselines, HaveEightWindowsAndSpeedsThatCanBe) {
+TEST_F(StoredBaselines, NeedEightWindowsAndPossibleSpeeds) {
   for (const auto& [speeds, what] :
-       {std::pair(std::vector<double>(7, 1000), "has 7 healthy windows, needs 8 or more"),
+       {std::pair(std::vector<double>(7, 1000), "has 7 healthy windows, but needs 8 or more"),
         std::pair(std::vector<double>(8, -1000), "/some/speed_rpm")}) {
     artefact::Writer writer("baselines");
     writer.numbers("/some/speed_rpm", speeds);

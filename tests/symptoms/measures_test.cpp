@@ -12,7 +12,7 @@ namespace piae::symptoms {
 namespace {
 
 // n/2 (1 + d/D), D/d (1 - (d/D)^2), n/2 (1 - d/D) with n = 9, d = 7.94 and D = 39.
-TEST(LineOrders, AreThoseOfA6205) {
+TEST(LineOrders, MatchA6205) {
   const auto orders = line_orders({});
   EXPECT_NEAR(orders[0], 5.416154, 1e-6);
   EXPECT_NEAR(orders[1], 4.708249, 1e-6);
@@ -26,7 +26,7 @@ signal::WindowSet computed_set() {
   return set;
 }
 
-TEST(Measures, AreThoseOfNumpy) {
+TEST(Measures, MatchNumpy) {
   const Measures measures = measure(computed_set(), "--test").front();
   const double heights[3][4] = {{-0.376805, 0.267501, 0.072102, 0.226036},
                                 {-0.133092, -0.109131, 0.174958, 0.082016},
@@ -44,7 +44,7 @@ TEST(Measures, AreThoseOfNumpy) {
   EXPECT_NEAR(measures.levels_db[3], -1.50457, 2e-5);
 }
 
-TEST(Measures, AreTheSameForALouderWindowWithAnOffset) {
+TEST(Measures, IgnoreLevelAndOffset) {
   signal::WindowSet louder = computed_set();
   for (float& sample : louder.samples) sample = 8 * sample + 2;
   const Measures measures = measure(louder, "--test").front();
@@ -53,7 +53,7 @@ TEST(Measures, AreTheSameForALouderWindowWithAnOffset) {
   EXPECT_NEAR(measures.levels_db[3], -1.50457, 1e-3);
 }
 
-TEST(Measures, ShowTheLineOfTheKindThatIsStruck) {
+TEST(Measures, ShowTheLineOfTheDefectiveElement) {
   Stream stream("struck");
   signal::WindowSet set = no_impact_windows();
   for (const Label label : {0, 1, 2}) add_impact_windows(set, label, 5, stream);
@@ -68,14 +68,14 @@ TEST(Measures, ShowTheLineOfTheKindThatIsStruck) {
 }
 
 // At half the speed the impacts of the same window are at twice the order.
-TEST(Measures, AreTakenAtTheSpeedOfTheWindow) {
+TEST(Measures, UseTheSpeedOfTheWindow) {
   signal::WindowSet set = computed_set();
   set.condition = {0};
   set.shaft_speed_rpm = {900};
   EXPECT_LT(measure(set, "--test").front().heights[2][0], 0.5);
 }
 
-TEST(Measures, OfOtherRatesAreAsGood) {
+TEST(Measures, WorkAtOtherRates) {
   Stream stream("struck");
   signal::WindowSet set = no_impact_windows(8192);
   set.info.sample_rate_hz = 25600;
@@ -91,7 +91,7 @@ TEST(Measures, OfOtherRatesAreAsGood) {
 
 // 2BSF and BPFI of a 6205 lie 0.7079 orders apart, their fourth harmonics 2.8316: two bins are
 // 0.7063 turns, which at 600 rpm and 12 kHz are 847.6 samples.
-TEST(Measures, NeedWindowsThatTellTheLinesApart) {
+TEST(Measures, NeedWindowsLongEnoughToSeparateTheLines) {
   Stream stream("noise");
   for (const auto& [length, enough] : {std::pair(848, true), std::pair(847, false)}) {
     signal::WindowSet set = no_impact_windows(static_cast<std::size_t>(length));
@@ -102,7 +102,7 @@ TEST(Measures, NeedWindowsThatTellTheLinesApart) {
     } else {
       EXPECT_ERROR(measure(set, "--test"), Exit::bad_input,
                    "--test: windows of 847 samples are too short to tell the fault lines apart at "
-                   "600 rpm; 848 or more would do");
+                   "600 rpm; use 848 or more");
     }
   }
 }
@@ -116,13 +116,13 @@ TEST(Measures, NeedLinesThatDoNotCoincide) {
                       .inner_raceway_mm = 27,
                       .outer_raceway_mm = 51};
   EXPECT_ERROR(measure(set, "--test"), Exit::bad_input,
-               "--test: the fault lines of two kinds coincide in this bearing");
+               "--test: the fault lines of two fault types coincide in this bearing");
 }
 
-TEST(Measures, NeedASpeedARateAndABearingThatCanBe) {
+TEST(Measures, NeedAPossibleSpeedRateAndBearing) {
   signal::WindowSet set = computed_set();
   set.info.shaft_speed_rpm = 0;
-  EXPECT_ERROR(measure(set, "--test"), Exit::bad_input, "--test: the speed of the shaft is 0 rpm");
+  EXPECT_ERROR(measure(set, "--test"), Exit::bad_input, "--test: the shaft speed is 0 rpm");
   set.info.shaft_speed_rpm = 60000;
   EXPECT_ERROR(measure(set, "--test"), Exit::bad_input, "at 60000 rpm fault lines reach 21925 Hz");
   set = computed_set();

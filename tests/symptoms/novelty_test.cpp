@@ -21,7 +21,7 @@ Eigen::ArrayXXd drifting() {
 
 // Computed with numpy from the same equation (np.mean, np.var and np.std over all rows, and over
 // those of three blocks of four).
-TEST(Novelty, IsTheDistanceByTheLargestOfHealthyWindowsThatWereLeftOut) {
+TEST(Novelty, IsTheDistanceOverTheLargestLeftOutHealthyDistance) {
   const Novelty novelty(drifting());
   const double of_healthy[] = {0.833333, 0.40657,  0.63588,  0.372691, 0.323399, 0.378941,
                                0.507824, 0.389024, 0.634335, 0.629652, 0.758934, 0.689635};
@@ -34,7 +34,7 @@ TEST(Novelty, IsTheDistanceByTheLargestOfHealthyWindowsThatWereLeftOut) {
   EXPECT_NEAR(novelty.of(drifting().row(3).transpose()), 0.346562, 1e-6);
 }
 
-TEST(Novelty, AmongWindowsThatAreAllTheSameIsFinite) {
+TEST(Novelty, IsFiniteForIdenticalWindows) {
   const Novelty novelty(Eigen::ArrayXXd::Constant(8, 5, 2.0));
   EXPECT_EQ(novelty.of(Eigen::ArrayXd::Constant(5, 2.0)), 0);
   EXPECT_GT(novelty.of(Eigen::ArrayXd::Constant(5, 2.1)), 1);

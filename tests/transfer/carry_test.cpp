@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Transfer, CarriedBy,
                                                               : "MinimumPhase";
                          });
 
-TEST_P(CarriedBy, IsStruckAtTheTestedRhythmAndAsLoudAsKnown) {
+TEST_P(CarriedBy, HasImpactsAtTheTestedRateAndTheKnownRms) {
   const signal::WindowSet known = one_machine();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
@@ -108,7 +108,7 @@ TEST(Carrier, MovesTheMinimaOfTheEdgesAndLeavesTheResonances) {
   EXPECT_GT(std::sqrt(error_before), 2 * std::sqrt(error_tested));
 }
 
-TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
+TEST_P(CarriedBy, StoresTheImpactTimes) {
   const signal::WindowSet known = one_machine();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
@@ -132,7 +132,7 @@ TEST_P(CarriedBy, SaysWhenTheDefectIsStruck) {
 }
 
 // If nothing moves, a window combines two known windows; the parents record the second.
-TEST(Carrier, SaysInWhichKnownWindowOneEnds) {
+TEST(Carrier, RecordsTheKnownWindowInWhichOneEnds) {
   signal::WindowSet known = one_machine();
   known.info.conditions.clear();
   known.condition.clear();
@@ -150,7 +150,7 @@ TEST(Carrier, SaysInWhichKnownWindowOneEnds) {
   }
 }
 
-TEST_P(CarriedBy, EndsInTheWindowThatItCarries) {
+TEST_P(CarriedBy, EndsInTheCarriedWindow) {
   const signal::WindowSet known = one_machine();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
@@ -161,7 +161,7 @@ TEST_P(CarriedBy, EndsInTheWindowThatItCarries) {
   EXPECT_EQ(carrier.carry(journey, random).parents, signal::parents_of({journey.known}));
 }
 
-TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
+TEST(Carrier, HasTheImpactStrengthsOfTheKnownWindow) {
   signal::WindowSet known = one_machine();
   const std::vector<double> every_second_is_weak{1, 0.15};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -198,7 +198,7 @@ TEST(Carrier, StrikesAsStrongAsTheKnownWindowDoes) {
   EXPECT_LT(uneven(Strengths::alike), 0.1);
 }
 
-TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
+TEST(Carrier, DoesNotUseStrengthsOfAnotherBearing) {
   const signal::WindowSet known = other_bearings_tested();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
@@ -211,7 +211,7 @@ TEST(Carrier, TakesNoStrengthsOfOneBearingForAnother) {
 
 /// IR8 is known at both speeds, in three windows and two, each with its own mean. At 1200 rpm only
 /// those of 1200 rpm are joined, unchanged.
-TEST(Carrier, JoinsKnownWindowsOfABearingWhereNothingMoves) {
+TEST(Carrier, JoinsKnownWindowsIfNothingChanges) {
   signal::WindowSet known = one_machine();
   known.info.conditions[1].known = true;
   known.info.conditions[1].shaft_speed_rpm = 600;
@@ -251,7 +251,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
   options.background_from = BackgroundFrom::healthy;
-  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5, of a data set");
+  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5 of a dataset");
   // The background is a single line at 3 kHz, and nothing else is there.
   Eigen::ArrayXd line = Eigen::ArrayXd::Constant(1025, -20);
   line[512] = 0;
@@ -273,7 +273,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   EXPECT_LT(at_line(without), 0.05);
 }
 
-TEST(Carrier, KnowsTheRingOfABearing) {
+TEST(Carrier, FindsTheRingOfABearing) {
   const signal::WindowSet known = one_machine();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
@@ -294,7 +294,7 @@ TEST(Carrier, KnowsTheRingOfABearing) {
 }
 
 // A draw between equal bounds must terminate.
-TEST(Carrier, KnowsTheSizeOfAnotherBearingWhereAllKnownOnesAgree) {
+TEST(Carrier, UsesTheCommonKnownSizeForAnotherBearing) {
   const signal::WindowSet known = other_bearings_tested();
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;

@@ -8,7 +8,7 @@
 namespace piae::transfer {
 namespace {
 
-TEST(Comb, StandsOnTheFirstRingingAfterEachBlow) {
+TEST(Comb, AlignsWithTheStartOfEachRinging) {
   for (const double first : {3.0, 60.0, 150.0}) {
     const Comb comb = find_comb(ringing(first, 167.3, 1024), 167.3);
     EXPECT_NEAR(comb.period, 167.3, 1.0) << first;
@@ -21,7 +21,7 @@ TEST(Comb, FollowsBallsThatSlip) {
   EXPECT_NEAR(find_comb(ringing(20, 167.3 * 0.99, 1024), 167.3).period, 167.3 * 0.99, 0.6);
 }
 
-TEST(Comb, IsFoundInNoiseAsLoudAsTheRinging) {
+TEST(Comb, IsFoundInNoiseOfEqualRms) {
   Stream random("noise");
   for (int i = 0; i < 20; ++i) {
     const double first = random.uniform(0, 167);
@@ -32,7 +32,7 @@ TEST(Comb, IsFoundInNoiseAsLoudAsTheRinging) {
   }
 }
 
-TEST(Comb, StrikesAreTheWholeSamplesWithinTheWindow) {
+TEST(Comb, ImpactsAreWholeSamplesWithinTheWindow) {
   EXPECT_EQ((Comb{.first = 1.5, .period = 2.6}.impact_positions(8)),
             (std::vector<std::size_t>{1, 4, 6}));
   EXPECT_TRUE((Comb{.first = 9, .period = 20}.impact_positions(8)).empty());

@@ -18,7 +18,7 @@ double power(const std::vector<double>& window) {
   return sum;
 }
 
-TEST(Cutting, CutsWhatFollowsEachStrikeThatTheWindowHoldsWhole) {
+TEST(Cutting, CutsTheWholeResponseAfterEachImpact) {
   std::vector<double> window(1024);
   for (std::size_t i = 0; i < window.size(); ++i) window[i] = static_cast<double>(i);
   const std::vector<Cut> responses = cut_responses(window, known);
@@ -30,7 +30,7 @@ TEST(Cutting, CutsWhatFollowsEachStrikeThatTheWindowHoldsWhole) {
   }
 }
 
-TEST(Cutting, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
+TEST(Cutting, MovesImpactsToTheNewPeriodAndKeepsEachRinging) {
   const std::vector<Cut> responses = cut_responses(ringing(60, 160, 1024), known);
   for (const double period : {80.0, 160.0, 213.3, 320.0}) {
     Stream random("struck at " + std::to_string(period));
@@ -44,7 +44,7 @@ TEST(Cutting, StrikesAtTheNewPeriodAndLeavesEachRingingAsItWas) {
   }
 }
 
-TEST(Cutting, SaysWhenItStrikes) {
+TEST(Cutting, StoresItsImpactTimes) {
   // The impact of a response of 100 samples is 12 samples after its beginning, where it was cut.
   std::vector<Cut> responses(2, Cut(100, 0.0));
   for (Cut& response : responses) response[12] = 1;
@@ -74,7 +74,7 @@ TEST(Cutting, KeepsTheOrderOfResponses) {
   }
 }
 
-TEST(Cutting, IsAsIrregularAsItIsAskedToBe) {
+TEST(Cutting, HasTheRequestedJitter) {
   std::vector<Cut> responses(1, Cut(50, 0.0));
   responses[0][0] = 1;
   Stream random("irregular");
@@ -96,7 +96,7 @@ TEST(Cutting, IsAsIrregularAsItIsAskedToBe) {
   EXPECT_NEAR(std::sqrt(squares / impact_positions), 0.0408, 0.003);
 }
 
-TEST(Cutting, GoesOnBeyondTheKnownPeriodAsLoudAsItsEnds) {
+TEST(Cutting, ContinuesBeyondTheKnownPeriodAtTheLevelOfItsEnd) {
   // White noise of power 1 has the same power at any distance of impacts.
   Stream noise("noise");
   std::vector<double> window(1024);

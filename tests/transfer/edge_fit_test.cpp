@@ -30,7 +30,7 @@ SeenBearing seen(const impacts::Edges& edges, double passage_s, double colour, S
   return bearing;
 }
 
-TEST(EdgeFit, TellsTheEdgesOfBearingsFromTheStructureThatTheyShare) {
+TEST(EdgeFit, SeparatesEdgesFromTheCommonStructure) {
   Stream random("bearings");
   const double passages_s[] = {0.4e-3, 0.7e-3, 1.1e-3, 1.6e-3};
   const double shares[] = {0.85, 0.95, 0.9, 0.8};
@@ -47,7 +47,7 @@ TEST(EdgeFit, TellsTheEdgesOfBearingsFromTheStructureThatTheyShare) {
   }
 }
 
-TEST(EdgeFit, OfOneBearingAloneIsThePrior) {
+TEST(EdgeFit, OneBearingGivesThePrior) {
   Stream random("bearing");
   const SeenBearing bearing = seen({.lag_s = 0.8e-3, .exit = 0.8}, 1e-3, 0, random);
   const std::vector<impacts::Edges> edges = fit_edges({bearing}, band, {});
@@ -55,7 +55,7 @@ TEST(EdgeFit, OfOneBearingAloneIsThePrior) {
   EXPECT_NEAR(edges[0].exit, 0.65, 1e-12);  // the point of the grid that is nearest to 0.6
 }
 
-TEST(EdgeFit, OfLagsThatLeaveNoMinimumIsAlmostThePrior) {
+TEST(EdgeFit, LagsWithoutAMinimumGiveAlmostThePrior) {
   Stream random("short");
   std::vector<SeenBearing> bearings;
   for (int b = 0; b < 4; ++b) {

@@ -18,7 +18,7 @@ std::vector<double> pulses(double first, double period, double height, std::size
   return window;
 }
 
-TEST(EndlessCycle, BeginsAtAStrikeAndHoldsWholeOnes) {
+TEST(EndlessCycle, StartsAtAnImpactAndHoldsWholePeriods) {
   const std::vector<double> window = pulses(17, 50, 1, 256);
   const EndlessCycle endless = endless_cycle_of(window, {.first = 17, .period = 50});
   EXPECT_EQ(endless.cycle.impact_positions, 4U);
@@ -26,7 +26,7 @@ TEST(EndlessCycle, BeginsAtAStrikeAndHoldsWholeOnes) {
   for (std::size_t i = 0; i < 200; ++i) EXPECT_NEAR(endless.samples[i], window[17 + i % 50], 1e-9);
 }
 
-TEST(Turned, GoesOnInTheSecondInTheSameRhythm) {
+TEST(Turned, ContinuesInTheSecondWindowAtTheSameRate) {
   const EndlessCycle low = endless_cycle_of(pulses(17, 50, 1, 256), {.first = 17, .period = 50});
   const EndlessCycle high = endless_cycle_of(pulses(40, 50, 9, 256), {.first = 40, .period = 50});
   bool both = false;
@@ -51,7 +51,7 @@ TEST(Turned, GoesOnInTheSecondInTheSameRhythm) {
   EXPECT_TRUE(both);
 }
 
-TEST(Turned, IsStruckInRhythmWhereThePeriodIsNoWholeNumber) {
+TEST(Turned, KeepsAPeriodOfFractionalSamples) {
   const std::vector<double> silence(256, 0.0);
   const EndlessCycle first = endless_cycle_of(silence, {.first = 1, .period = 7.0 / 3});
   const EndlessCycle second = endless_cycle_of(silence, {.first = 0, .period = 7.25 / 3});
@@ -69,7 +69,7 @@ TEST(Turned, IsStruckInRhythmWhereThePeriodIsNoWholeNumber) {
 }
 
 // A sensor that starts late still gives a cycle.
-TEST(EndlessCycle, IsOfTheLoudestStretch) {
+TEST(EndlessCycle, UsesTheStretchOfHighestRms) {
   std::vector<double> window = pulses(10, 120, 1, 256);
   std::fill(window.begin(), window.begin() + 124, 0.0);
   const EndlessCycle endless = endless_cycle_of(window, {.first = 10, .period = 120});
@@ -81,7 +81,7 @@ TEST(EndlessCycle, IsOfTheLoudestStretch) {
   EXPECT_GT(*std::ranges::max_element(one.samples), 0.99);
 }
 
-TEST(Turned, TurnsAWindowWithoutAWholeStrikeRound) {
+TEST(Turned, ShiftsAWindowWithoutAWholePeriodCircularly) {
   std::vector<double> window(64);
   for (std::size_t i = 0; i < 64; ++i) window[i] = static_cast<double>(i);
   const EndlessCycle endless = endless_cycle_of(window, {.first = 20, .period = 100});

@@ -29,7 +29,7 @@ signal::WindowSet humming() {
   return healthy;
 }
 
-TEST(HealthySpectra, AreOfTheTestedConditionAlone) {
+TEST(HealthySpectra, UseTheTestedConditionOnly) {
   const std::vector<HealthySpectrum> spectra = healthy_spectra(humming());
   ASSERT_EQ(spectra.size(), 1U);
   EXPECT_EQ(spectra[0].condition, 1);
@@ -39,7 +39,7 @@ TEST(HealthySpectra, AreOfTheTestedConditionAlone) {
   EXPECT_NEAR(spectra[0].log_amplitude.mean(), 0, 1e-9);
 }
 
-TEST(HealthySpectra, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {
+TEST(HealthySpectra, AreReadAsWrittenAndRefusedIfImpossible) {
   const signal::WindowSet known = one_machine();
   const auto stored = [](const std::vector<HealthySpectrum>& spectra) {
     artefact::Writer writer("model");

@@ -7,7 +7,7 @@
 namespace piae::transfer {
 namespace {
 
-TEST(Journey, WithoutConditionsLeadsToWhereItBegan) {
+TEST(Journey, WithoutConditionsEndsWhereItStarted) {
   const signal::WindowSet known = known_windows();
   for (std::size_t i = 0; i < 12; ++i) {
     const Journey journey = journey_of(known, 2, i);
@@ -33,7 +33,7 @@ signal::WindowSet known_at_two_speeds() {
   return known;
 }
 
-TEST(Journey, TakesKnownWindowsInTurnAndTestedConditionsRoundByRound) {
+TEST(Journey, CyclesThroughKnownWindowsAndTestedConditions) {
   const signal::WindowSet known = known_at_two_speeds();
   EXPECT_DOUBLE_EQ(journey_of(known, 1, 0).speed_ratio(), 900.0 / 1200);
   EXPECT_DOUBLE_EQ(journey_of(known, 1, 1).speed_ratio(), 900.0 / 1000);
@@ -42,7 +42,7 @@ TEST(Journey, TakesKnownWindowsInTurnAndTestedConditionsRoundByRound) {
   EXPECT_EQ(journey_of(known, 1, 5).condition, 3);
 }
 
-TEST(Journey, MadeWindowsSayWhereTheyArrived) {
+TEST(Journey, MadeWindowsHaveTheirTestedCondition) {
   const signal::WindowSet known = known_at_two_speeds();
   const signal::MadeWindow made = arrived(known, journey_of(known, 1, 6), {1, 2});
   EXPECT_EQ(made.samples, (std::vector<float>{1, 2}));

@@ -8,7 +8,7 @@
 namespace piae::transfer {
 namespace {
 
-TEST(Kinematics, ScaleWithTheSpeedOfTheShaft) {
+TEST(Kinematics, ScaleWithTheShaftSpeed) {
   const signal::WindowSet known = one_machine();
   const bearing::Geometry& geometry = known.info.bearing;
   // BPFI and BPFO of the geometry, as in every handbook.
@@ -18,17 +18,17 @@ TEST(Kinematics, ScaleWithTheSpeedOfTheShaft) {
   EXPECT_NEAR(passage_s(known, 0, 2, 600), 2 * passage_s(known, 0, 2, 1200), 1e-12);
 }
 
-TEST(Kinematics, ARateThatWindowsCannotShowIsRefused) {
+TEST(Kinematics, RefuseAnImpactRateAboveHalfTheSampleRate) {
   signal::WindowSet known = one_machine();
   require_rate(known);
   known.info.sample_rate_hz = 200;
-  EXPECT_ERROR(require_rate(known), Exit::bad_input, "class IR5 is struck");
+  EXPECT_ERROR(require_rate(known), Exit::bad_input, "class IR5 has");
   known.info.sample_rate_hz = 12000;
   known.info.conditions[1].shaft_speed_rpm = 1e6;
   EXPECT_ERROR(require_rate(known), Exit::bad_input, "at 1e+06 rpm");
 }
 
-TEST(Bearings, AreTheWindowsOfOneClassSpeedAndSize) {
+TEST(Bearings, GroupWindowsByClassSpeedAndSize) {
   signal::WindowSet known = one_machine();
   known.shaft_speed_rpm[3] = 900;
   known.defect_size_mm.assign(20, 1.0);

@@ -21,7 +21,7 @@ TEST(KnownEdges, AreFoundInWindowsOfOneMachine) {
   }
 }
 
-TEST(StoredEdges, AreReadAsTheyWereWrittenAndRefusedWhereTheyCannotBe) {
+TEST(StoredEdges, AreReadAsWrittenAndRefusedIfImpossible) {
   const auto stored = [](const std::vector<impacts::Edges>& edges) {
     artefact::Writer writer("model");
     write(writer, edges);

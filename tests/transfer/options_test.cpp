@@ -9,7 +9,7 @@
 namespace piae::transfer {
 namespace {
 
-TEST(CarryOptions, AreReadAsTheyWereWritten) {
+TEST(CarryOptions, AreReadAsWritten) {
   CarryOptions options;
   cli::parse(
       "--response cut --edges known --rhythm known --strengths alike --own-structure 0.25 "
@@ -46,7 +46,7 @@ TEST(CarryOptions, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.equaliser.knots, 5);
 }
 
-TEST(CarryOptions, OfALoadZoneThatEndsBeforeItBeginsAreRefused) {
+TEST(CarryOptions, RefuseAReversedLoadZone) {
   CarryOptions options;
   options.strengths.load = {.least_extent = 0.8, .largest_extent = 0.4};
   EXPECT_ERROR(require_sense(options, {}, {}), Exit::usage,

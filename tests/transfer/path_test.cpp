@@ -13,7 +13,7 @@ namespace {
 constexpr Eigen::Index path_bins = 1025;
 constexpr double path_rate_hz = 12000;
 
-TEST(Path, ThatIsNotRandomChangesNothing) {
+TEST(Path, WithoutRandomnessChangesNothing) {
   Stream random("path");
   const Path path = draw_path(random, path_bins, path_rate_hz, 2, false, {});
   EXPECT_EQ(path.log_gain.abs().maxCoeff(), 0);
@@ -39,7 +39,7 @@ TEST(Path, TiltsTheSpectrumUpAtAHigherSpeedAndDownAtALowerOne) {
   EXPECT_NEAR(sum / 400, 0.75, 4 * 1.5 / std::sqrt(12 * 400.0));
 }
 
-TEST(Path, DelaysEachFrequencyByAsMuchAsItsKnotsSay) {
+TEST(Path, DelaysEachFrequencyByItsKnots) {
   CarryOptions options;
   options.dispersion_ms = 0.5;
   double squares = 0;
@@ -54,7 +54,7 @@ TEST(Path, DelaysEachFrequencyByAsMuchAsItsKnotsSay) {
   EXPECT_NEAR(std::sqrt(squares / 400), 0.5e-3, 4 * 0.5e-3 / std::sqrt(800.0));
 }
 
-TEST(Path, OfAnotherBearingDiffersByItsOwnDeviation) {
+TEST(Path, HasItsOwnDeviationForAnotherBearing) {
   CarryOptions options;
   options.equaliser = {.spread_db = 1, .knots = 8};
   options.other_bearing_db = 10;
@@ -73,7 +73,7 @@ TEST(Path, OfAnotherBearingDiffersByItsOwnDeviation) {
   EXPECT_NEAR(spread_db(true), 10, 1.1);
 }
 
-TEST(Path, ThatDelaysMovesTheImpulse) {
+TEST(Path, DelayMovesTheImpulse) {
   const Eigen::ArrayXd flat = Eigen::ArrayXd::Zero(path_bins);
   // A delay of 10 samples: each is a phase of pi at half the sampling rate.
   const Path late{.log_gain = flat,

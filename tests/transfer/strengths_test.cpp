@@ -25,14 +25,14 @@ std::vector<double> strengths_of(bearing::Defect fault_type, const impacts::Load
                              options, random);
 }
 
-TEST(Strengths, OfAnOuterRaceAreAlikeUnderALoadThatStays) {
+TEST(Strengths, OuterRaceImpactsAreEqualUnderAConstantLoad) {
   for (const double one :
        strengths_of(bearing::Defect::outer, {.least_extent = 0.2, .largest_extent = 1}, 30)) {
     EXPECT_EQ(one, 1);
   }
 }
 
-TEST(Strengths, OfABallPassItWithTheCageOneRaceLouderThanTheOther) {
+TEST(Strengths, BallImpactsFollowTheCageAndAreStrongerOnOneRace) {
   const impacts::LoadOptions all_round{.least_extent = 500, .largest_extent = 500};
   const std::vector<double> all = strengths_of(bearing::Defect::roller, all_round, 40);
   for (std::size_t i = 2; i < all.size(); ++i) EXPECT_NEAR(all[i], all[i - 2], 0.01);
@@ -55,7 +55,7 @@ TEST(Strengths, ScatterByTheirLogarithm) {
   EXPECT_NEAR(most, 1, 0.12);  // the largest of 200 that are uniform up to 1
 }
 
-TEST(Strengths, OfAKnownWindowFollowEachOtherAsThere) {
+TEST(Strengths, KnownStrengthsKeepTheirOrder) {
   Stream random("known");
   const std::vector<double> known{0.5, 1, 1.5};
   const std::vector<double> all = repeated_strengths(known, 20, random);
@@ -65,7 +65,7 @@ TEST(Strengths, OfAKnownWindowFollowEachOtherAsThere) {
   for (const double one : all) EXPECT_EQ(one, known[at++ % 3]);
 }
 
-TEST(Strengths, OfAShortWindowOutsideTheZoneAreNotSilent) {
+TEST(Strengths, ShortWindowOutsideTheZoneIsNotSilent) {
   const impacts::LoadOptions narrow{.least_extent = 0.05, .largest_extent = 0.05};
   for (int w = 0; w < 50; ++w) {
     EXPECT_GT(strengths_of(bearing::Defect::inner, narrow, 1, "short " + std::to_string(w))[0], 0);

@@ -9,7 +9,7 @@ namespace {
 
 double root_mean_square(const Eigen::ArrayXd& values) { return std::sqrt(values.square().mean()); }
 
-TEST(Structure, IsWhatTheBearingsOfOneMachineHaveInCommon) {
+TEST(Structure, IsCommonToTheBearingsOfOneMachine) {
   const signal::WindowSet known = one_machine();
   std::vector<impacts::Edges> edges;
   for (std::size_t i = 0; i < known.size(); ++i) {

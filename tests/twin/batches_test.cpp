@@ -35,11 +35,11 @@ TEST(Batches, HoldEachKnownWindowOnce) {
   }
 }
 
-TEST(Batches, OfAllClassesAreFullButForTheLast) {
+TEST(Batches, MixedBatchesAreFullExceptTheLast) {
   EXPECT_THAT(batches(Batches::mixed, 4), testing::ElementsAre(SizeIs(4), SizeIs(4), SizeIs(3)));
 }
 
-TEST(Batches, OfOneClassHoldAllOfItWhereItFits) {
+TEST(Batches, OneClassBatchHoldsTheWholeClassIfItFits) {
   const auto parts = batches(Batches::of_one_class, 5);
   EXPECT_THAT(parts, UnorderedElementsAre(UnorderedElementsAre(0, 1, 2),
                                           UnorderedElementsAre(3, 4, 5, 6, 7),
@@ -52,7 +52,7 @@ TEST(Batches, OfOneClassHoldAllOfItWhereItFits) {
 }
 
 /// Classes have 3, 5 and 3 windows; a batch of eight holds any two of them.
-TEST(Batches, HoldAsManyWholeClassesAsFit) {
+TEST(Batches, HoldTheLargestPossibleNumberOfWholeClasses) {
   for (int epoch = 0; epoch < 20; ++epoch) {
     const auto parts = batches(Batches::of_one_class, 8, std::to_string(epoch));
     EXPECT_THAT(parts, SizeIs(2));
@@ -67,7 +67,7 @@ TEST(Batches, HoldAsManyWholeClassesAsFit) {
   EXPECT_THAT(batches(Batches::of_one_class, 100), SizeIs(1));
 }
 
-TEST(Batches, ComeInAnotherOrderInAnotherEpoch) {
+TEST(Batches, AreShuffledInEachEpoch) {
   std::set<std::vector<std::vector<std::size_t>>> orders;
   for (int epoch = 0; epoch < 20; ++epoch) {
     orders.insert(batches(Batches::of_one_class, 5, std::to_string(epoch)));

@@ -33,20 +33,20 @@ Contact contact_of(Defect defect, ContactInterpretation interpretation, double s
                       samples, options);
 }
 
-TEST(Contact, StandingIsAtClearanceAndDepthThroughout) {
+TEST(Contact, StandingUsesClearanceAndDepthThroughout) {
   const Contact contact = contact_of(Defect::inner, ContactInterpretation::standing);
   EXPECT_NEAR(contact.inside_m, 2e-6 + 8.97e-6, 1e-8);  // eq. 10 at 21 mil
   EXPECT_EQ(contact.at_rest, 1);
   EXPECT_TRUE(contact.passing.empty());
 }
 
-TEST(Contact, OfTheDefectAloneKnowsNoClearance) {
+TEST(Contact, DefectAloneIgnoresClearance) {
   EXPECT_NEAR(contact_of(Defect::outer, ContactInterpretation::defect_alone).inside_m, 8.97e-6,
               1e-8);
   EXPECT_EQ(contact_of(Defect::none, ContactInterpretation::defect_alone).inside_m, 0);
 }
 
-TEST(Contact, OfAHealthyBearingIsAtItsClearance) {
+TEST(Contact, HealthyBearingIsAtItsClearance) {
   for (const auto interpretation :
        {ContactInterpretation::passing, ContactInterpretation::expected}) {
     const Contact healthy = contact_of(Defect::none, interpretation);
@@ -66,7 +66,7 @@ int passages(const Contact& contact) {
 }
 
 // The number in one second equals the fault frequency: 107.3, 162.2 and 141.0.
-TEST(Contact, IsPassedAsOftenAsTheFaultFrequencySays) {
+TEST(Contact, PassingOccursAtTheFaultFrequency) {
   const auto info = paper_bearing();
   const auto hz = bearing::fault_frequencies(info.bearing, info.shaft_speed_rpm);
   EXPECT_NEAR(passages(contact_of(Defect::outer, ContactInterpretation::passing)), hz.bpfo_hz, 1);
@@ -75,7 +75,7 @@ TEST(Contact, IsPassedAsOftenAsTheFaultFrequencySays) {
               1);
 }
 
-TEST(Contact, IsExpectedForThePartOfTheTimeThatItIsPassed) {
+TEST(Contact, ExpectedIsThePassingShareOfTheTime) {
   for (const Defect defect : {Defect::outer, Defect::inner, Defect::roller}) {
     const std::vector<double> passing = contact_of(defect, ContactInterpretation::passing).passing;
     const double mean =
@@ -85,7 +85,7 @@ TEST(Contact, IsExpectedForThePartOfTheTimeThatItIsPassed) {
   }
 }
 
-TEST(ContactForce, IsThatOfHertzInsideAndOutside) {
+TEST(ContactForce, FollowsHertzInsideAndOutside) {
   EXPECT_DOUBLE_EQ(contact_force(4e-6, -1, 0, 1e9).force_n, 1e9 * 8e-9);
   EXPECT_DOUBLE_EQ(contact_force(4e-6, -1, 0.25, 1e9).force_n, 0.75 * 1e9 * 8e-9);
   EXPECT_DOUBLE_EQ(contact_force(4e-6, 1e-6, 1, 1e9).force_n, 1e9 * 1e-9);
@@ -93,7 +93,7 @@ TEST(ContactForce, IsThatOfHertzInsideAndOutside) {
 }
 
 // W / (delta 1e8 N/m) = 1.0 / 1.097e-5 / 1e5: 0.91 at 21 mil, 5 at the clearance of 2 um.
-TEST(ContactAtRest, IsOpenAboveTheStiffnessAtWhichTheSpringCarriesTheLoadBeforeIt) {
+TEST(ContactAtRest, IsOpenAboveTheStiffnessAtWhichTheSpringCarriesTheLoad) {
   Physics physics = example_physics();
   const Contact standing = contact_of(Defect::inner, ContactInterpretation::standing);
   EXPECT_FALSE(is_open_at_rest(0.90e8, standing, physics));

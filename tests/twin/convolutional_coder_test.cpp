@@ -13,10 +13,10 @@ ConvolutionalCoder convolutional_coder(std::int64_t samples, int depth) {
   return {{.samples = samples, .classes = 10}, options};
 }
 
-TEST(ConvolutionalCoder, NamesTheWindowsAndDepthsThatWork) {
+TEST(ConvolutionalCoder, NamesPossibleWindowsAndDepths) {
   EXPECT_ERROR(convolutional_coder(1000, 4), Exit::usage,
-               "windows of 1000 samples do not go through 3 convolutions of stride 4; multiples of "
-               "64 samples do (split --window), or a smaller --depth");
+               "windows of 1000 samples do not fit 3 convolutions of stride 4; use multiples of "
+               "64 samples (split --window) or a smaller --depth");
   EXPECT_ERROR(convolutional_coder(1024, 32), Exit::usage, "--depth");
   EXPECT_ERROR(convolutional_coder(1024, 1), Exit::usage, "--depth: 1 leaves no convolution");
   EXPECT_EQ(convolutional_coder(1024, 6).inner_length(), 1);

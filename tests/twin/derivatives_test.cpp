@@ -32,7 +32,7 @@ TEST(Derivatives, CentralDifferencesDampHighFrequencies) {
   EXPECT_NEAR(part.second, 0.749, 0.001);
 }
 
-TEST(Derivatives, SpectralOnesAreRightUpToFiveOfSixKilohertz) {
+TEST(Derivatives, SpectralOnesAreAccurateUpToFiveOfSixKilohertz) {
   const Stencil stencil = stencil_of(Derivatives::spectral);
   for (double hz = 10; hz <= 5000; hz += 10) {
     const Passed part = passed(stencil, hz, 12000);
@@ -41,7 +41,7 @@ TEST(Derivatives, SpectralOnesAreRightUpToFiveOfSixKilohertz) {
   }
 }
 
-TEST(Derivatives, OfAConstantAreNone) {
+TEST(Derivatives, AreZeroForAConstant) {
   for (const auto kind : {Derivatives::central, Derivatives::spectral}) {
     double first = 0;
     double second = 0;

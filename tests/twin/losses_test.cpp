@@ -68,7 +68,7 @@ TEST(BatchMmd, EqualsTheHandWorkedValue) {
   EXPECT_NEAR(mmd(x, y), expected, 1e-12);
 }
 
-TEST(BatchMmd, AddsItsGradientsToThoseThatAreThere) {
+TEST(BatchMmd, AddsItsGradientsToExistingOnes) {
   Array x = random_array("x", 3, 5);
   Array y = random_array("y", 4, 5);
   Array by_x = Array::Ones(3, 5);
@@ -79,7 +79,7 @@ TEST(BatchMmd, AddsItsGradientsToThoseThatAreThere) {
   expect_gradient(by_y - 1, y, value);
 }
 
-TEST(BatchMmd, OfEqualWindowsIsZeroAndFlat) {
+TEST(BatchMmd, IsZeroAndFlatForEqualWindows) {
   const Array x = Array::Constant(2, 8, 0.3);
   Array by_y = Array::Zero(2, 8);
   EXPECT_NEAR(add_batch_mmd<double>(x, x, nullptr, by_y), 0, 1e-12);
@@ -143,14 +143,14 @@ TEST(DifferentialLoss,
   expect_gradient(loss.by_acceleration, motion.acceleration, value);
 }
 
-TEST(ReconstructionLoss, IsASumOverSamplesAndARootWhereItIsReadSo) {
+TEST(ReconstructionLoss, SupportsSumsAndRoots) {
   const Array x = random_array("x", 4, 8);
   const Array a = random_array("a", 4, 8);
   EXPECT_NEAR(reconstruction_loss<double>(x, a, {.squares = Squares::sum, .mmd = Mmd::root}).value,
               (x - a).square().sum() / 4 + std::sqrt(mmd(x, a)), 1e-12);
 }
 
-TEST(ReconstructionLoss, OfEqualWindowsIsFlatAlsoAsARoot) {
+TEST(ReconstructionLoss, IsFlatForEqualWindowsAlsoAsARoot) {
   const Array x = random_array("x", 2, 8);
   const Array nearly = x + 1e-8 * random_array("difference", 2, 8);
   const Loss loss = reconstruction_loss<double>(x, nearly, {.mmd = Mmd::root});
@@ -227,7 +227,7 @@ double best_damping(const Motion& motion, double k, const Physics& physics, Resi
   return best;
 }
 
-TEST(TwinLoss, FindsTheDampingOfWhatIsStruckAgainAndAgainByAbsoluteValuesAlone) {
+TEST(TwinLoss, FindsTheDampingOfRepeatedImpactsByAbsoluteValuesOnly) {
   Physics physics = example_physics();
   physics.contact_n_per_m15 = 0;
   constexpr double k = 1.5;
@@ -273,7 +273,7 @@ TEST(TwinLoss, HasTheGradientsOfFiniteDifferences) {
   expect_twin_loss_gradients(example_physics());
 }
 
-TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesAlsoOfAbsoluteValues) {
+TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesForAbsoluteValues) {
   expect_twin_loss_gradients(example_physics(),
                              {.squares = Squares::sum, .residual = Residual::absolute});
 }
@@ -294,7 +294,7 @@ TEST(TwinLoss, HasTheGradientsOfFiniteDifferencesWhereTheDefectIsPassed) {
 }
 
 /// At rest without a ball in the defect: the passage of a ball removes the contact's force.
-TEST(TwinLoss, APassageIsAForceOnTheRing) {
+TEST(TwinLoss, PassageIsAForceOnTheRing) {
   Physics physics = example_physics();
   physics.contact[0] = {.outside_m = 2e-6, .inside_m = 1, .at_rest = 0, .passing = {0, 0.25, 1, 0}};
   constexpr double k = 1.5;
@@ -321,7 +321,7 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
 }
 
 /// A softplus may be exactly 0 in single precision.
-TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
+TEST(TwinLoss, StaysFiniteWithItsGradientWithoutStiffness) {
   const RowArray<float> one = RowArray<float>::Ones(1, 4);
   const RowArray<float> nothing = RowArray<float>::Zero(1, 2);
   const std::vector<std::int32_t> labels{0};
@@ -332,7 +332,7 @@ TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
 
 constexpr PerLoss<double> losses_of_a_batch{0.3, 0.05, 2.0};
 
-TEST(TotalLoss, IsTheWeightedLossesAndTheLogarithmsOfTheWeights) {
+TEST(TotalLoss, IsWeightedLossesMinusLogarithmsOfWeights) {
   const PerLoss<double> log_weights{std::log(2.0), std::log(0.5), std::log(0.25)};
   const double weighted = 2 * 0.3 + 0.5 * 0.05 + 0.25 * 2;
   EXPECT_NEAR(total_loss(losses_of_a_batch, log_weights, false), weighted, 1e-12);
@@ -340,7 +340,7 @@ TEST(TotalLoss, IsTheWeightedLossesAndTheLogarithmsOfTheWeights) {
   EXPECT_NEAR(total_loss(losses_of_a_batch, log_weights), weighted + std::log(2.0), 1e-12);
 }
 
-TEST(TotalLoss, ItsDerivativesAreThoseOfTheClosedForm) {
+TEST(TotalLoss, DerivativesMatchTheClosedForm) {
   // By ln alpha: alpha L - 1/2.
   const PerLoss<float> at_one = total_loss_by_log_weights(losses_of_a_batch, {0, 0, 0});
   EXPECT_FLOAT_EQ(at_one[0], -0.2F);

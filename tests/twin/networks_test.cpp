@@ -8,7 +8,7 @@ namespace piae::twin {
 namespace {
 
 // softplus(x) = log(1 + exp(x)), and its slope is 1 / (1 + exp(-x)).
-TEST(Networks, SlopeOfSoftplusHasAllDigitsHoweverSmall) {
+TEST(Networks, SoftplusSlopeIsAccurateForSmallValues) {
   for (const double x : {-60.0, -30.0, -20.0, -10.0, -3.0, 0.0, 3.0, 30.0}) {
     RowArray<float> k_and_c(1, 2);
     k_and_c << static_cast<float>(std::log1p(std::exp(x))), 1.0F;
@@ -19,7 +19,7 @@ TEST(Networks, SlopeOfSoftplusHasAllDigitsHoweverSmall) {
   }
 }
 
-TEST(Networks, SlopeOfTheExponentialIsItsValue) {
+TEST(Networks, ExponentialSlopeEqualsItsValue) {
   RowArray<float> k_and_c(1, 2);
   k_and_c << 0.25F, 3.0F;
   EXPECT_TRUE((slope_at(k_and_c, Positive::exponential) == k_and_c).all());

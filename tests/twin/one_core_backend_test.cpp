@@ -75,7 +75,7 @@ void expect_followed(const TwinTask& task, TrainingStage stage, const std::strin
 
 constexpr double unclipped = 1e9;
 
-TEST(OneCoreTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
+TEST(OneCoreTwin, EachNetworkFollowsItsOwnLossInStageOne) {
   for (const TaskOf& c : {TaskOf{"Full", full_model, LossWeights::adaptive, unclipped},
                           TaskOf{"Recurrent", recurrent_model, LossWeights::adaptive, unclipped}}) {
     SCOPED_TRACE(c.name);
@@ -89,7 +89,7 @@ TEST(OneCoreTwin, InStageOneEachNetworkFollowsItsOwnLoss) {
   }
 }
 
-TEST(OneCoreTwin, InStageTwoEveryNetworkFollowsTheTotal) {
+TEST(OneCoreTwin, EveryNetworkFollowsTheTotalInStageTwo) {
   for (const LossWeights loss_weights : {LossWeights::adaptive, LossWeights::adaptive_without_log,
                                          LossWeights::stationary, LossWeights::fixed}) {
     SCOPED_TRACE(static_cast<int>(loss_weights));
@@ -98,7 +98,7 @@ TEST(OneCoreTwin, InStageTwoEveryNetworkFollowsTheTotal) {
   }
 }
 
-TEST(OneCoreTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
+TEST(OneCoreTwin, CoderWithoutPhysicsFollowsTheReconstruction) {
   const TwinTask task =
       task_of({"WithoutPhysics", without_physics, LossWeights::adaptive, unclipped});
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {
@@ -107,7 +107,7 @@ TEST(OneCoreTwin, WithoutPhysicsItsCoderFollowsTheReconstruction) {
   }
 }
 
-TEST(OneCoreTwin, WithoutAnEncoderItsDecoderFollowsTheReconstruction) {
+TEST(OneCoreTwin, DecoderWithoutEncoderFollowsTheReconstruction) {
   const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   expect_followed(task, TrainingStage::one, "net/",
                   [](const BatchLosses& losses) { return losses.reconstruction; });
@@ -131,7 +131,7 @@ TEST(OneCoreTwin, LossWeightsFollowTheClosedFormOfEquation23) {
   }
 }
 
-TEST(OneCoreTwin, FollowsNoGradientThatIsLongerThanAllowed) {
+TEST(OneCoreTwin, ClipsLongGradients) {
   constexpr double longest = 0.01;
   const TwinTask task = task_of({"Clipped", full_model, LossWeights::adaptive, longest});
   const TwinTask free = task_of({"Free", full_model, LossWeights::adaptive, unclipped});
@@ -163,7 +163,7 @@ TEST(OneCoreTwin, GivesAStateForEveryKnownWindow) {
   EXPECT_NE(states[0].k, states[1].k);
 }
 
-TEST(OneCoreTwin, WithoutAnEncoderKeepsTheStatesThatItWasGiven) {
+TEST(OneCoreTwin, WithoutAnEncoderKeepsItsStates) {
   const TwinTask task = task_of({"WithoutEncoder", without_encoder, LossWeights::fixed, unclipped});
   const std::vector<TwinPoint> states =
       one_core_engine(Device::cpu).train(task, Stream("initial"))->states();

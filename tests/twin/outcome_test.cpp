@@ -35,7 +35,7 @@ bool is_refused(const Curves& curves) {
   return false;
 }
 
-TEST(Outcome, IsRefusedWhereALossOrWeightLacksAnEpoch) {
+TEST(Outcome, IsRefusedIfALossOrWeightLacksAnEpoch) {
   for (const Column column : {&Curves::reconstruction, &Curves::differential, &Curves::twin,
                               &Curves::alpha, &Curves::beta, &Curves::gamma}) {
     Curves curves = two_epochs();

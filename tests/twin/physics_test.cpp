@@ -27,11 +27,11 @@ TEST(StaticEquilibrium, BalancesTheLoad) {
   }
 }
 
-TEST(StaticEquilibrium, IsTheSpringAloneWhereContactIsLost) {
+TEST(StaticEquilibrium, UsesTheSpringOnlyIfContactIsLost) {
   EXPECT_DOUBLE_EQ(static_equilibrium_m(1e8, standing_at(1.0), working_set()), 1e-5);
 }
 
-TEST(StaticEquilibrium, IsTheContactAloneWithoutStiffness) {
+TEST(StaticEquilibrium, UsesTheContactOnlyWithoutStiffness) {
   const double contact = std::pow(1000 / 8.58e9, 2.0 / 3.0);
   for (const double k : {0.0, 1e-300, 1e-30}) {
     EXPECT_NEAR(static_equilibrium_m(k, standing_at(2e-6), working_set()), 2e-6 + contact, 1e-15)
@@ -39,7 +39,7 @@ TEST(StaticEquilibrium, IsTheContactAloneWithoutStiffness) {
   }
 }
 
-TEST(MakePhysics, MeasuresTimeAndMotionInTheScalesOfEquation19) {
+TEST(MakePhysics, ScalesTimeAndMotionByEquation19) {
   signal::DatasetInfo info;
   info.sample_rate_hz = 12000;
   info.unit_m_per_s2 = 9.80665;

@@ -13,18 +13,18 @@ TwinOptions with_depth(int depth) {
   return options;
 }
 
-TEST(RecurrentCoder, NamesTheWindowsAndDepthsThatWork) {
+TEST(RecurrentCoder, NamesPossibleWindowsAndDepths) {
   EXPECT_ERROR(RecurrentCoder({1000, 2}, with_depth(3)), Exit::usage,
-               "windows of 1000 samples are no whole number of the frames of 32 that are read in "
-               "turn; multiples of 32 samples work (split --window)");
+               "windows of 1000 samples do not divide into frames of 32 samples, which are read in "
+               "turn; use multiples of 32 samples (split --window)");
   EXPECT_ERROR(
       RecurrentCoder({1024, 2}, with_depth(1)), Exit::usage,
-      "--depth: 1 leaves no recurrent layer, since the layer at (k, c) is dense; 2 or more "
-      "layers work");
+      "--depth: 1 leaves no recurrent layer, because the layer at (k, c) is dense; use 2 or "
+      "more");
 }
 
 // Stored models with these names and shapes must stay readable.
-TEST(RecurrentCoder, HasLayersOfGatesAndADenseOne) {
+TEST(RecurrentCoder, HasGatedLayersAndADenseLayer) {
   const RecurrentCoder coder({1024, 10}, with_depth(3));
   EXPECT_EQ(coder.frames(), 32);
   std::vector<std::string> told;

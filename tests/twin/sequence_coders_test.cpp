@@ -23,7 +23,7 @@ class SequenceCoders : public testing::TestWithParam<CoderKind> {};
 
 /// The first generated windows must not depend on the number requested. The frames of the longer
 /// windows do not fill the vectors of any processor.
-TEST_P(SequenceCoders, GiveForAWindowTheSameWhateverStandsBesideIt) {
+TEST_P(SequenceCoders, TreatEachWindowIndependently) {
   for (const std::int64_t samples : {96, 544}) {
     SCOPED_TRACE(samples);
     const auto coder = make_coder(GetParam(), {.samples = samples, .classes = 3}, TwinOptions{});
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Twin, SequenceCoders,
                          testing::Values(CoderKind::convolutional, CoderKind::recurrent,
                                          CoderKind::temporal, CoderKind::transformer));
 
-TEST(TransformerCoder, RefusesWindowsWhoseAttentionWouldFillTheMemory) {
+TEST(TransformerCoder, RefusesWindowsThatAreTooLongForAttention) {
   EXPECT_NO_THROW(make_coder(CoderKind::transformer, {.samples = 32768, .classes = 3}, {}));
   EXPECT_ERROR(make_coder(CoderKind::transformer, {.samples = 65536, .classes = 3}, {}),
                Exit::usage, "windows of 65536 samples are too long for attention");

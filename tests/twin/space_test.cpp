@@ -21,7 +21,7 @@ TEST(TwinSpace, CountsPointsInBinsOfEqualWidth) {
   EXPECT_EQ(space.counts(), (std::vector<std::int64_t>{2, 0, 1, 1}));
 }
 
-TEST(TwinSpace, SamplesBinsByTheirFrequencyAndStaysInThem) {
+TEST(TwinSpace, SamplesBinsByTheirFrequency) {
   const TwinSpace space(four_points, 2);
   Stream stream("space");
   std::map<std::pair<bool, bool>, int> seen;
@@ -39,7 +39,7 @@ TEST(TwinSpace, SamplesBinsByTheirFrequencyAndStaysInThem) {
   EXPECT_EQ((seen[{false, true}]), 0);
 }
 
-TEST(TwinSpace, OfEqualPointsIsThatPoint) {
+TEST(TwinSpace, EqualPointsGiveThatPoint) {
   const TwinSpace space({{2, 7}, {2, 7}}, 10);
   Stream stream("equal");
   const TwinPoint point = space.sample(stream);
@@ -47,7 +47,7 @@ TEST(TwinSpace, OfEqualPointsIsThatPoint) {
   EXPECT_EQ(point.c, 7);
 }
 
-TEST(TwinSpace, ComesBackFromItsArtefact) {
+TEST(TwinSpace, IsReadAsWritten) {
   const auto path = std::filesystem::path(testing::TempDir()) / "space.h5";
   artefact::Writer writer("model");
   const TwinSpace written(four_points, 3);
@@ -83,13 +83,13 @@ ClassSpaces stored(const std::string& name, const std::vector<Label>& labels) {
   return ClassSpaces(artefact::Reader(path, "model"));
 }
 
-TEST(ClassSpaces, AreOneForAllClassesWithoutLabels) {
+TEST(ClassSpaces, ShareOneSpaceWithoutLabels) {
   const ClassSpaces spaces = stored("one_space.h5", {});
   EXPECT_EQ(spaces.of(1).counts(), TwinSpace(four_points, 3).counts());
   EXPECT_EQ(spaces.of(2).k_edges(), TwinSpace(four_points, 3).k_edges());
 }
 
-TEST(ClassSpaces, AreOfTheWindowsOfEachClassWithLabels) {
+TEST(ClassSpaces, SeparateClassesWithLabels) {
   const ClassSpaces spaces = stored("class_spaces.h5", labels_of_two);
   const TwinSpace own({four_points[2], four_points[3]}, 3);
   EXPECT_EQ(spaces.of(2).counts(), own.counts());
@@ -97,7 +97,7 @@ TEST(ClassSpaces, AreOfTheWindowsOfEachClassWithLabels) {
   EXPECT_EQ(spaces.of(2).points().size(), 2U);
 }
 
-TEST(ClassSpaces, AreRefusedWhereAClassHasNoWindow) {
+TEST(ClassSpaces, RefuseAClassWithoutWindows) {
   for (const std::vector<Label>& labels : {std::vector<Label>{1, 1, 1, 1}, {1, 1, 2, 3}}) {
     EXPECT_THROW((void)stored("no_window.h5", labels), artefact::Refusal);
   }

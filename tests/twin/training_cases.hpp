@@ -55,7 +55,7 @@ inline std::string name_of(const testing::TestParamInfo<NamedVariant>& info) {
 
 class TwinVariantTraining : public testing::TestWithParam<NamedVariant> {};
 
-TEST_P(TwinVariantTraining, CutAfterAnyEpochAndContinuedEqualsAnUncutOne) {
+TEST_P(TwinVariantTraining, ContinuedTrainingEqualsAnUninterruptedOne) {
   const auto& [_, variant, engine] = GetParam();
   const TwinOptions options = quick_options();
   const std::string uncut =
@@ -93,7 +93,7 @@ TEST_P(TwinVariantTraining, LowersItsLosses) {
   }
 }
 
-TEST_P(TwinVariantTraining, GeneratesWithWhatWasTrained) {
+TEST_P(TwinVariantTraining, GeneratesWithTheTrainedNetworks) {
   const auto& [_, variant, engine] = GetParam();
   const std::filesystem::path path =
       train(checkpoint_at("g.ckpt"), quick_options(), "generate.h5", variant, engine);

@@ -25,20 +25,19 @@ fs::path train(const nets::Checkpoint& checkpoint, const TwinOptions& options,
   return train(checkpoint, options, name, variant, one_core_engine);
 }
 
-TEST(TwinGeneration, RefusesAModelThatLacksWhatTheVariantHas) {
+TEST(TwinGeneration, RefusesAModelWithoutTheNetworksOfTheVariant) {
   const artefact::Reader model(
       train(checkpoint_at("v.ckpt"), quick_options(), "v.h5", without_physics), "model");
   EXPECT_THROW(generate(model, full_model, 1, Stream("g"), one_core_engine(Device::cpu)),
                artefact::Refusal);
 }
 
-TEST(TwinGeneration, RefusesAModelOfSizesThatItsCoderCannotHave) {
+TEST(TwinGeneration, RefusesAModelWithImpossibleSizes) {
   TwinOptions options = quick_options();
   options.depth = 1;
   const artefact::Reader model(train(checkpoint_at("d.ckpt"), options, "shallow.h5"), "model");
   EXPECT_ERROR(generate(model, convolutional_model, 1, Stream("g"), one_core_engine(Device::cpu)),
-               Exit::bad_input,
-               "has sizes that its networks cannot have: --depth: 1 leaves no convolution");
+               Exit::bad_input, "has impossible network sizes: --depth: 1 leaves no convolution");
 }
 
 TEST(TwinTraining, GivesTheSameBytesTwice) {
@@ -47,7 +46,7 @@ TEST(TwinTraining, GivesTheSameBytesTwice) {
   EXPECT_EQ(bytes_of(first), bytes_of(second));
 }
 
-TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossAlone) {
+TEST(TwinTraining, WithoutPhysicsFollowsTheReconstructionLossOnly) {
   TwinOptions options = quick_options();
   const auto model_of = [&](const std::string& name) {
     return artefact::Reader(train(checkpoint_at("p.ckpt"), options, name, without_physics),
@@ -91,7 +90,7 @@ TEST(TwinTraining, HoldsFixedLossWeightsAtOne) {
 }
 
 /// The minimum of eq. 23 in a weight is at 1 / (2 L).
-TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfTheEpochBefore) {
+TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfThePreviousEpoch) {
   TwinOptions options = quick_options();
   options.loss_weights = LossWeights::stationary;
   Curves curves;
@@ -103,7 +102,7 @@ TEST(TwinTraining, WeighsLossesAtTheStationaryPointOfTheEpochBefore) {
   }
 }
 
-TEST(TwinTraining, SaysInTheModelWhereTheWeightsAreStationaryAtTheEnd) {
+TEST(TwinTraining, StoresTheFinalStationaryWeights) {
   const artefact::Reader model(train(checkpoint_at("o.ckpt"), quick_options(), "outcome.h5"),
                                "model");
   Curves curves;
@@ -126,7 +125,7 @@ TEST(TwinTraining, WithoutTheLogarithmsAllLossWeightsShrink) {
   }
 }
 
-TEST(TwinTraining, DoesNotUseACheckpointOfOtherSettings) {
+TEST(TwinTraining, IgnoresACheckpointOfOtherSettings) {
   nets::Checkpoint checkpoint = checkpoint_at("other.ckpt");
   checkpoint.interrupted = [] { return true; };
   EXPECT_THROW(train(checkpoint, quick_options(), "never.h5"), Error);
@@ -137,7 +136,7 @@ TEST(TwinTraining, DoesNotUseACheckpointOfOtherSettings) {
   EXPECT_EQ(bytes_of(train(checkpoint, quick_options(), "anew.h5")), uncut);
 }
 
-TEST(TwinTraining, StartsAnewFromADamagedCheckpoint) {
+TEST(TwinTraining, StartsAgainAfterADamagedCheckpoint) {
   nets::Checkpoint checkpoint = checkpoint_at("damaged.ckpt");
   std::ofstream(checkpoint.path) << "not a checkpoint";
   const std::string uncut =
@@ -145,7 +144,7 @@ TEST(TwinTraining, StartsAnewFromADamagedCheckpoint) {
   EXPECT_EQ(bytes_of(train(checkpoint, quick_options(), "anew.h5")), uncut);
 }
 
-TEST(TwinTraining, StageOneLeavesTheLossWeightsAlone) {
+TEST(TwinTraining, StageOneKeepsTheLossWeights) {
   TwinOptions options = quick_options();
   options.stage_epochs = 2;  // Stage 1, 1, 2, 2, 1, 1
   Curves curves;
@@ -166,7 +165,7 @@ TEST(TwinTraining, HalvesTheLearningRate) {
             (std::vector<double>{5e-4, 5e-4, 2.5e-4, 2.5e-4, 1.25e-4, 1.25e-4}));
 }
 
-TEST(TwinTraining, RefusesWindowsWithoutASecondDerivative) {
+TEST(TwinTraining, RefusesWindowsTooShortForASecondDerivative) {
   const signal::WindowSet windows = known_windows(2);
   try {
     make_twin_training(windows, quick_options(), full_model, Stream("test"),
@@ -178,7 +177,7 @@ TEST(TwinTraining, RefusesWindowsWithoutASecondDerivative) {
   }
 }
 
-TEST(TwinTraining, RefusesASilentClass) {
+TEST(TwinTraining, RefusesAConstantClass) {
   signal::WindowSet windows = known_windows();
   std::fill(windows.samples.begin(), windows.samples.begin() + std::ptrdiff_t{5} * 64, 1.0F);
   EXPECT_THROW(make_twin_training(windows, quick_options(), full_model, Stream("test"),
@@ -199,7 +198,7 @@ TEST(TwinGeneration, DrawsFromTheTwinSpace) {
   }
 }
 
-TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
+TEST(TwinGeneration, DependsOnTheKeptModel) {
   TwinOptions options = quick_options();
   const fs::path best = train(checkpoint_at("k1.ckpt"), options, "best.h5");
   options.keep = Keep::final;
@@ -220,7 +219,7 @@ TEST(TwinGeneration, DependsOnTheModelThatIsKept) {
 }
 
 // The model may come from another version or from an edit by hand.
-TEST(TwinModel, WithAnUnknownWordForWhatItKeepsIsRefusedByName) {
+TEST(TwinModel, RefusesAnUnknownKeepByName) {
   artefact::Writer writer("model");
   signal::write(writer, three_classes());
   for (const std::string name : {"samples", "depth", "width"}) {
@@ -231,8 +230,7 @@ TEST(TwinModel, WithAnUnknownWordForWhatItKeepsIsRefusedByName) {
   const fs::path path = scratch_file("newest.h5");
   writer.save(path, {});
   const artefact::Reader model(path, "model");
-  EXPECT_ERROR(read_model_description(model), Exit::bad_input,
-               "is 'newest'; known are best and final");
+  EXPECT_ERROR(read_model_description(model), Exit::bad_input, "is 'newest'; known: best, final");
 }
 
 }  // namespace

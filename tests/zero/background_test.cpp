@@ -11,7 +11,7 @@
 namespace piae::zero {
 namespace {
 
-TEST(Background, IsTheHealthyWindowOrThatBackwards) {
+TEST(Background, IsTheHealthyWindowOrItsReversal) {
   const signal::WindowSet healthy = healthy_windows(64, 1);
   const auto window = healthy.window(0);
   const double deviation = deviation_of(window);
@@ -31,7 +31,7 @@ TEST(Background, IsTheHealthyWindowOrThatBackwards) {
   EXPECT_NEAR(backwards, 100, 30);  // four standard deviations of 7
 }
 
-TEST(Background, HasTheMeanSquareOneAlsoThroughAPath) {
+TEST(Background, HasUnitMeanSquareAlsoThroughAPath) {
   const signal::WindowSet healthy = healthy_windows();
   Stream random("path");
   const Eigen::ArrayXd made = draw_background(healthy.window(3), 6, random);
@@ -40,7 +40,7 @@ TEST(Background, HasTheMeanSquareOneAlsoThroughAPath) {
   EXPECT_GT((made - draw_background(healthy.window(3), 0, again)).square().mean(), 0.01);
 }
 
-TEST(Background, LendsAWindowItsLevel) {
+TEST(Background, GivesAWindowItsLevel) {
   const signal::WindowSet healthy = healthy_windows();
   const Eigen::ArrayXd ramp = Eigen::ArrayXd::LinSpaced(1024, 3, 700);
   const std::vector<float> made = at_level_of(healthy.window(4), ramp);
@@ -79,7 +79,7 @@ TEST(Background, ModulatesNothingWithDepthZero) {
   EXPECT_TRUE(factor.isOnes(0));
 }
 
-TEST(Background, KnocksWithTheirProbabilityThreeTimesOnAverage) {
+TEST(Background, HasThreeStrayImpactsOnAverageAtTheirProbability) {
   int windows = 0;
   double impacts = 0;
   double up = 0;

@@ -20,7 +20,7 @@ Train train_of(std::size_t count) {
   return train;
 }
 
-TEST(Ball, StrikesBothRacesInTurnOneOfThemLess) {
+TEST(Ball, HitsBothRacesInTurnOneMoreWeakly) {
   for (int i = 0; i < 50; ++i) {
     Train train = train_of(20);
     Stream random("races " + std::to_string(i));
@@ -36,7 +36,7 @@ TEST(Ball, StrikesBothRacesInTurnOneOfThemLess) {
   for (const auto& strike : alike) EXPECT_EQ(strike.strength, 1);
 }
 
-TEST(Ball, StaysStrictlyPeriodicWhereNothingTurnsIt) {
+TEST(Ball, IsStrictlyPeriodicWithoutRandomTurns) {
   const Prior rigid{.other_race = 1, .new_phase = 0, .random_impacts = 0, .least_on_track = 1};
   Train train = train_of(300);
   Stream random("rigid");
@@ -50,7 +50,7 @@ TEST(Ball, StaysStrictlyPeriodicWhereNothingTurnsIt) {
   }
 }
 
-TEST(Ball, IsFoundAtANewPhaseByATurnOfTheCageAndKeepsItWithinThat) {
+TEST(Ball, ChangesItsPhaseOncePerCageTurn) {
   Train train = train_of(3000);
   Stream random("phase");
   turn_between_passes(every_10_ms, ball_cage_hz, {.new_phase = 1}, random, train);
@@ -69,7 +69,7 @@ TEST(Ball, IsFoundAtANewPhaseByATurnOfTheCageAndKeepsItWithinThat) {
   EXPECT_GT(changes, 10);
 }
 
-TEST(Ball, StrikesADrawnShareAtAnyMoment) {
+TEST(Ball, HasADrawnShareOfImpactsAtRandomTimes) {
   for (int i = 0; i < 5; ++i) {
     Train train = train_of(2000);
     const std::string name = "moments " + std::to_string(i);
@@ -112,7 +112,7 @@ TEST(Ball, MeetsItsTrackForADrawnShareOfTheTime) {
   EXPECT_NEAR(difference / 40, 0, 0.02);
 }
 
-TEST(Ball, LeavesItsTrackForLongerThanAStrike) {
+TEST(Ball, LeavesItsTrackForLongerThanAnImpact) {
   // The memory is at least half a turn of the cage, here 4 impacts, so most neighbours are equal.
   Train train = train_of(20000);
   Stream random("memory");

@@ -9,14 +9,14 @@ namespace {
 
 constexpr int many_draws = 20000;
 
-TEST(Draws, OfARangeThatIsOneNumberAreThatNumber) {
+TEST(Draws, FromARangeOfOneNumberReturnIt) {
   Stream random("one");
   EXPECT_EQ(evenly(random, 3, 3), 3);
   EXPECT_EQ(log_evenly(random, 3, 3), 3);
   EXPECT_EQ(log_evenly(random, 0, 0), 0);
 }
 
-TEST(Draws, AreEvenInTheLogarithm) {
+TEST(Draws, AreUniformInTheLogarithm) {
   Stream random("log");
   double logarithms = 0;
   int below_one = 0;
@@ -33,7 +33,7 @@ TEST(Draws, AreEvenInTheLogarithm) {
   EXPECT_NEAR(below_one, many_draws / 3.0, 270);
 }
 
-TEST(Draws, HappenWithTheirProbability) {
+TEST(Draws, OccurWithTheirProbability) {
   Stream random("chance");
   int happened = 0;
   for (int i = 0; i < many_draws; ++i) happened += bernoulli(random, 0.3) ? 1 : 0;
@@ -42,7 +42,7 @@ TEST(Draws, HappenWithTheirProbability) {
   EXPECT_TRUE(bernoulli(random, 1));
 }
 
-TEST(Draws, OfPoissonHaveTheMeanAsTheirVariance) {
+TEST(Draws, PoissonVarianceEqualsItsMean) {
   Stream random("poisson");
   double sum = 0;
   double squares = 0;

@@ -35,12 +35,12 @@ TEST(Impacts, HaveTheLagOfTheSizeByTheSpeedOfTheBall) {
   }
 }
 
-TEST(Impacts, AreOfDefectsThatABallDoesNotRollOutOf) {
+TEST(Impacts, DefectSizesAreAtMostTheBallRadius) {
   EXPECT_EQ(largest_size_mm({}, {.largest_size_mm = 3.5}), 3.5);
   EXPECT_EQ(largest_size_mm({.ball_diameter_mm = 4}, {.largest_size_mm = 3.5}), 2);
 }
 
-TEST(Impacts, StrikeTheSecondEdgeTheOtherWay) {
+TEST(Impacts, HitTheSecondEdgeWithOppositeSign) {
   std::vector<impacts::Impact> impact_times(2000);
   Stream random("exit");
   add_second_edges(0.002, {.least_exit = 0.2}, random, impact_times);
@@ -113,7 +113,7 @@ TEST(Rate, HasItsMeanAtTheOrderOfTheDefectAndStaysWithinTheSlip) {
   }
 }
 
-TEST(Rate, OfABallIsLessRegular) {
+TEST(Rate, IsLessRegularForABall) {
   const signal::WindowSet healthy = healthy_windows();
   for (int i = 0; i < 100; ++i) {
     Stream random("jitter " + std::to_string(i));

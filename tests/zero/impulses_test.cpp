@@ -12,7 +12,7 @@
 namespace piae::zero {
 namespace {
 
-TEST(Impulses, ComeAtTheKinematicRateAndNothingElse) {
+TEST(Impulses, ComeAtTheKinematicRateOnly) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
   const signal::MadeWindow made =
@@ -61,7 +61,7 @@ TEST(Impulses, ExciteOneDampedResonanceAtTheDrawnLevel) {
   EXPECT_NEAR(deviation_of(made.samples) / deviation_of(scene.healthy), 1, 1e-5);
 }
 
-TEST(Impulses, AreFiniteInWindowsThatAreHardlyLongerThanAPeriod) {
+TEST(Impulses, AreFiniteInWindowsOfAboutOnePeriod) {
   signal::WindowSet healthy = healthy_windows(16);
   healthy.info.shaft_speed_rpm = 13000;  // BPFO is 776 Hz
   const Machine machine(healthy);

@@ -23,7 +23,7 @@ signal::WindowSet at_two_speeds() {
   return healthy;
 }
 
-TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindow) {
+TEST(Machine, CyclesThroughConditionsAtTheSpeedOfTheHealthyWindow) {
   const signal::WindowSet healthy = at_two_speeds();
   const Machine machine(healthy);
   std::set<double> speeds;
@@ -40,7 +40,7 @@ TEST(Machine, MakesAWindowOfOneConditionAfterTheOtherAtTheSpeedOfItsHealthyWindo
   EXPECT_EQ(speeds, (std::set<double>{900, 901, 902, 1800, 1801, 1802}));
 }
 
-TEST(Machine, TakesOfWindowsOfEveryConditionThoseOfItsSpeed) {
+TEST(Machine, UsesHealthyWindowsOfItsSpeed) {
   signal::WindowSet healthy = at_two_speeds();
   healthy.condition.assign(6, signal::every_condition);
   const Machine machine(healthy);
@@ -69,7 +69,7 @@ TEST(Machine, NeedsHealthyWindowsOfEachTestedCondition) {
   EXPECT_ERROR(Machine{none}, Exit::bad_input, "no healthy window");
 }
 
-TEST(Machine, NeedsABearingThatCanBeAndItsSpeed) {
+TEST(Machine, NeedsAPossibleBearingAndSpeed) {
   signal::WindowSet healthy = healthy_windows();
   healthy.info.bearing.balls = 0;
   EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "bearing: 0 balls");
@@ -80,25 +80,25 @@ TEST(Machine, NeedsABearingThatCanBeAndItsSpeed) {
   }
 }
 
-TEST(Machine, NeedsASamplingRateAtWhichStrikesAreApart) {
+TEST(Machine, NeedsASampleRateThatSeparatesImpacts) {
   signal::WindowSet healthy = healthy_windows();
   // At 1800 rpm, BPFI is 162.5 Hz and 2 BSF 141.4 Hz.
   healthy.info.sample_rate_hz = 320;
-  EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR is struck 162.485 times a second");
+  EXPECT_ERROR(Machine{healthy}, Exit::bad_input, "class IR has 162.485 impacts per second");
 }
 
-TEST(Machine, NeedsWindowsInWhichEachDefectIsStruck) {
+TEST(Machine, NeedsWindowsLongEnoughForAnImpact) {
   // At 1800 rpm, BPFO is 107.5 Hz: one impact in 111.6 samples.
   const signal::WindowSet shorter = healthy_windows(111);
   EXPECT_ERROR(Machine{shorter}, Exit::bad_input,
-               "class OR is struck 107.515 times a second at 1800 rpm, so that windows of 111 "
-               "samples may hold no strike; 112 or more would do");
+               "class OR has 107.515 impacts per second at 1800 rpm, so windows of 111 "
+               "samples may miss them; use 112 samples or more");
   const signal::WindowSet just_long_enough = healthy_windows(112);
   EXPECT_NO_THROW(Machine{just_long_enough});
   // A slower shaft needs longer windows.
   signal::WindowSet slower = at_two_speeds();
   slower.shaft_speed_rpm[0] = 190;
-  EXPECT_ERROR(Machine{slower}, Exit::bad_input, "at 190 rpm, so that windows of 1024 samples");
+  EXPECT_ERROR(Machine{slower}, Exit::bad_input, "at 190 rpm, so windows of 1024 samples");
 }
 
 /// Returns the ripple of a healthy machine's spectrum if each of its windows of 8192 samples
@@ -122,7 +122,7 @@ double ripple_of_echo(std::size_t lag) {
   return 2 * ripple / 8193;
 }
 
-TEST(Machine, SoundsWithItsColourAndWithoutItsLines) {
+TEST(Machine, KeepsTheColourButNotTheLines) {
   // Ripples up to 0.7 x 256 samples are kept, and half of a ripple of 217.6 samples.
   EXPECT_NEAR(ripple_of_echo(32), 0.5, 0.05);
   EXPECT_NEAR(ripple_of_echo(170), 0.5, 0.05);

@@ -36,7 +36,7 @@ Prior plain() {
   return prior;
 }
 
-TEST(ZeroTwin, StrikesABallThatNothingTurnsStrictlyInItsRhythm) {
+TEST(ZeroTwin, BallWithoutTurnsHasPeriodicImpacts) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::roller);
@@ -100,7 +100,7 @@ double level_to_healthy_db(const signal::MadeWindow& made, const Scene& scene) {
   return 10 * std::log10((window.square().mean() - heard) / heard);
 }
 
-TEST(ZeroTwin, KnocksAtTheirLevelOverTheBackground) {
+TEST(ZeroTwin, HasStrayImpactsAtTheirLevelOverTheBackground) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::outer);
@@ -145,7 +145,7 @@ TEST(ZeroTwin, HasTheDrawnLevelOverTheBackground) {
   }
 }
 
-TEST(ZeroTwin, IsAsLoudAsTheHealthyWindow) {
+TEST(ZeroTwin, HasTheRmsOfTheHealthyWindow) {
   const signal::WindowSet healthy = healthy_windows();
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::inner);
@@ -194,7 +194,7 @@ TEST(ZeroTwin, MakesFiniteWindowsOfAnyLengthAndDefect) {
   }
 }
 
-TEST(ZeroTwin, KeepsAllElseWhereOnePartIsTakenAway) {
+TEST(ZeroTwin, KeepsTheRestIfOnePartIsRemoved) {
   const signal::WindowSet healthy = healthy_windows(4096);
   const Machine machine(healthy);
   const Scene scene = scene_of(healthy, Defect::inner);
@@ -209,14 +209,14 @@ TEST(ZeroTwin, KeepsAllElseWhereOnePartIsTakenAway) {
   EXPECT_NE(all.samples, fewer.samples);
 }
 
-TEST(ZeroTwin, RefusesABearingThatNoDefectOfItsSizeFits) {
+TEST(ZeroTwin, RefusesDefectsTooLargeForTheBearing) {
   signal::WindowSet healthy = healthy_windows();
   healthy.info.bearing.inner_raceway_mm = 5;
   const Machine machine(healthy);
   EXPECT_ERROR(Twin(machine, {}), Exit::bad_input, "distance between two balls");
 }
 
-TEST(ZeroWindows, SayConditionAndSpeedWhereConditionsAreToldApart) {
+TEST(ZeroWindows, HaveConditionAndSpeedIfConditionsDiffer) {
   signal::WindowSet healthy = healthy_windows(256);
   healthy.info.conditions = {{.name = "slow", .shaft_speed_rpm = 900},
                              {.name = "fast", .shaft_speed_rpm = 1800}};

@@ -49,7 +49,7 @@ ParameterSet::Range ParameterSet::range_of(const std::string& prefix) const {
     const std::int64_t end = begin + spec.size();
     if (spec.name.starts_with(prefix)) {
       if (range.begin >= 0 && range.end != begin) {
-        throw std::logic_error("parameters " + prefix + "* do not stand next to each other");
+        throw std::logic_error("parameters " + prefix + "* are not contiguous");
       }
       if (range.begin < 0) range.begin = begin;
       range.end = end;

@@ -29,7 +29,7 @@ std::unique_ptr<Coder> make_coder(twin::CoderKind kind, const twin::NetworkShape
     case twin::CoderKind::transformer:
       return std::make_unique<TransformerCoder>(shape, options);
   }
-  throw std::logic_error("no such coder");
+  throw std::logic_error("unknown coder");
 }
 
 /// Returns the times of the samples, from 0 to 1 over the window, one row per window.

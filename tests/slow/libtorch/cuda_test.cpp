@@ -106,7 +106,7 @@ TEST_F(OnCuda, TheWganGpSteps) {
 }
 
 /// Uses steps too small for learning, so the networks stay equal and rounding does not grow.
-TEST_F(OnCuda, WdcnnMakesTheSameOfEachWindow) {
+TEST_F(OnCuda, WdcnnPredictsTheSameForEachWindow) {
   using namespace diagnosis;
   WdcnnOptions options;
   options.epochs = 1;

@@ -91,7 +91,7 @@ test_the_list_of_stages_says_what_each_does() {
   done <<<"$listed"
   # The manual page starts with the name only.
   gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" >page
-  expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts records into windows and shares the'
+  expect_equal "$(grep -A 1 '^.fBsplit.fR' page | cut -c 1-40)" $'\\fBsplit\\fR\nCuts recordings into windows and assigns'
 }
 
 # Each option has its text next to it or below, and dashes can be copied.

@@ -166,7 +166,7 @@ test_a_fault_of_another_part_of_the_machine() {
     '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
   bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \
     --ratio 100to1 --classifier envelope-rule --seed 0 --output rule.h5 >messages 2>&1 && fail "a rule named it"
-  expect_line "$(<messages)" "has defect 'other', which has no fault line"
+  expect_line "$(<messages)" "has defect 'other', which does not have a fault line"
 }
 
 test_a_defect_of_unknown_size() {

@@ -12,7 +12,7 @@ using artefact::Reader;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Backend, LibtorchGivesTheSameDiagnosisButForRounding) {
+TEST(Backend, LibtorchGivesTheSameDiagnosisExceptForRounding) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("tabulate");
@@ -65,7 +65,7 @@ Arguments training(const std::string& method, const std::string& model) {
           "--seed",   "0",    "--width",  "8", "--output", model};
 }
 
-TEST(Backend, IsLibtorchsOnlyWhereThatIsAskedFor) {
+TEST(Backend, IsLibtorchOnlyIfRequested) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const fs::path alone = tiny / "bin/train";  // without train-libtorch next to it
@@ -82,7 +82,7 @@ TEST(Backend, IsLibtorchsOnlyWhereThatIsAskedFor) {
 }
 
 // Checks that both back ends generate the same windows from a model, except for rounding.
-TEST(Backend, ModelsOfOneAreReadByTheOther) {
+TEST(Backend, ModelsAreReadByBothBackEnds) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("train");
@@ -114,7 +114,7 @@ TEST(Backend, StopsWithACheckpointWhileLibTorchStarts) {
   expect_checkpoints_at_once(tiny, with(arguments, "--backend", "libtorch"));
 }
 
-TEST(Backend, ThatCannotBeIsNamedWithThoseThatCan) {
+TEST(Backend, ImpossibleBackendIsNamedWithPossibleOnes) {
   const Tiny tiny;
   tiny.run_chain_before("train");
   const Arguments& arguments = chain()[5].arguments;

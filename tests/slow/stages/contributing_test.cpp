@@ -54,7 +54,7 @@ TEST(ShownDataSet, IsCheckedIngestedAndSplit) {
   EXPECT_EQ(split.status, 0) << split.err;
 }
 
-TEST(ShownDataSet, SaysWhichOfItsRecordingsIsMissing) {
+TEST(ShownDataSet, NamesTheMissingRecording) {
   const Folder folder;
   folder.write("data/rig/healthy.csv", recording(0.2));
   const Outcome checked =
@@ -65,7 +65,7 @@ TEST(ShownDataSet, SaysWhichOfItsRecordingsIsMissing) {
   EXPECT_THAT(checked.out, HasSubstr("rig/outer.csv"));
 }
 
-TEST(ShownClassifier, IsTrainedOnWhatItIsShown) {
+TEST(ShownClassifier, IsTrainedOnItsInput) {
   const Tiny tiny;
   tiny.run_chain_before("diagnose");
   const Outcome diagnosed = tiny.run(
@@ -97,7 +97,7 @@ TEST(ShownMethod, PlaysTheKnownWindowsBackwards) {
   }
 }
 
-TEST(ShownMethod, StandsAmongTheOthersInTheHelp) {
+TEST(ShownMethod, IsListedInTheHelp) {
   const Tiny tiny;
   EXPECT_THAT(tiny.run(shown("train"), {"--help"}).out, HasSubstr("reverse"));
 }
@@ -173,7 +173,7 @@ TEST(ShownStage, CountsTheWindowsOfEachClass) {
   EXPECT_THAT(tiny.run(shown("count"), {"--help"}).out, HasSubstr("count --windows seed0/C.h5"));
 }
 
-TEST(ShownStage, RefusesWhatItCannotCount) {
+TEST(ShownStage, RefusesAFileThatItCannotCount) {
   const Tiny tiny;
   tiny.run_chain_before("split");
   const auto refused = [&](const std::string& windows, int exit,

@@ -152,7 +152,7 @@ lost_checkpoint() {
   local seed folder
   for seed in 0 1; do
     folder=results/tiny/tiny/seed$seed/piae-dt
-    grep -q 'starts anew' "$folder/train.log" && return 0
+    grep -q 'starts again' "$folder/train.log" && return 0
     [[ ! -f $folder/model.h5 ]] || continue
     [[ -f $folder/model.h5.checkpoint ]] || return 0
     grep -q '^step: exit 75 ' "$folder/train.log" &&

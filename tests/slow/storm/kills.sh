@@ -86,7 +86,7 @@ finish_round() {
     miss "not as undisturbed: ${difference:0:500}"
   difference=$(diff <(cd "$folder/one" && find . | sort) <(cd "$run" && find . | sort)) ||
     miss "other files than undisturbed: ${difference:0:500}"
-  ! difference=$(grep -rE 'damaged|starts anew' "$run" --include='*.log') ||
+  ! difference=$(grep -rE 'damaged|starts again' "$run" --include='*.log') ||
     miss "a checkpoint was lost: ${difference:0:500}"
   resumed=$((resumed + $(grep -rl 'going on from' "$run" --include='*.log' | wc -l)))
   rounds=$((rounds + 1))

@@ -25,7 +25,7 @@ TEST(KlToStandardNormal, EqualsItsClosedForm) {
               (s * s - 1) / 2 - std::log(s), 1e-12);
 }
 
-TEST(KlToStandardNormal, IsTheIntegralThatDefinesIt) {
+TEST(KlToStandardNormal, MatchesItsDefiningIntegral) {
   const double m = 0.7;
   const double s = 1.6;
   double integral = 0;
@@ -46,7 +46,7 @@ TEST(KlToStandardNormal, AddsDimensionsAndAveragesWindows) {
               ((1 + 4) / 2.0 + 9 / 2.0) / 2, 1e-12);
 }
 
-TEST(VaeLosses, AreThoseOfANetworkWorkedByHand) {
+TEST(VaeLosses, MatchTheHandWorkedNetwork) {
   // One sample, one class, one latent number, single layers: x = 2, q = N(0.5 x, 1) with noise -3,
   // so z = -2; decoded 0.25 z + 1 = 0.5.
   latent::LatentGenerator decoder = example_generator(1, 1, 1);

@@ -27,7 +27,7 @@ ParameterSet linear_critic(const std::vector<double>& weights) {
   return parameters;
 }
 
-TEST(GradientPenalty, OfALinearCriticIsThatOfItsWeights) {
+TEST(GradientPenalty, LinearCriticHasThePenaltyOfItsWeights) {
   // The gradient is (2, -3, 6) everywhere, of norm 7; the weights of the class do not affect it.
   const ParameterSet parameters = linear_critic({2, -3, 6});
   Stream stream("linear");
@@ -35,7 +35,7 @@ TEST(GradientPenalty, OfALinearCriticIsThatOfItsWeights) {
   EXPECT_NEAR(gradient_penalty(parameters, batch.windows, batch.classes).item<double>(), 36, 1e-12);
 }
 
-TEST(GradientPenalty, OfALinearCriticHasTheGradientOfItsClosedForm) {
+TEST(GradientPenalty, LinearCriticHasTheGradientOfItsClosedForm) {
   // d/dw (|w| - 1)^2 = 2 (1 - 1/|w|) w
   const ParameterSet parameters = linear_critic({2, -3, 6});
   Stream stream("linear");
@@ -48,7 +48,7 @@ TEST(GradientPenalty, OfALinearCriticHasTheGradientOfItsClosedForm) {
   EXPECT_LT((gradient - expected).abs().max().item<double>(), 1e-12);
 }
 
-TEST(GradientPenalty, StaysFiniteWhereTheScoreIsFlat) {
+TEST(GradientPenalty, StaysFiniteForAFlatScore) {
   const ParameterSet parameters = linear_critic({0, 0, 0});
   Stream stream("flat");
   const Batch batch = example_batch(stream, 2, 3, 2);
@@ -75,7 +75,7 @@ TEST(GradientPenalty, DoesNotMixTheWindowsOfABatch) {
               1e-12);
 }
 
-TEST(CriticLosses, OfALinearCriticAreWorkedByHand) {
+TEST(CriticLosses, MatchTheHandWorkedLinearCritic) {
   // Scores without class and bias, which cancel: known 2 and 6, generated -3 and 0.
   const ParameterSet parameters = linear_critic({2, -3, 6});
   const Batch known{torch::tensor({{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}, torch::kFloat64),

@@ -12,7 +12,7 @@ namespace piae::libtorch {
 namespace {
 
 // Follows Algorithm 1 of Kingma and Ba for one parameter, with beta 0.9 and 0.999.
-TEST(Adam, TakesTheThreeStepsWorkedByHand) {
+TEST(Adam, TakesTheHandWorkedSteps) {
   const torch::Tensor values = torch::full({1}, 1.0, torch::kFloat64);
   const torch::Tensor gradients = torch::zeros({1}, torch::kFloat64);
   Adam adam(values, gradients);
@@ -50,7 +50,7 @@ TEST(Adam, EqualsLibTorchs) {
   EXPECT_LT((ours - theirs.detach()).abs().max().item<double>(), 1e-6);
 }
 
-TEST(Adam, ContinuesBitForBitFromWhatItWrote) {
+TEST(Adam, ContinuesExactlyFromItsStoredState) {
   const auto gradient_of = [](int step) { return torch::cos(torch::arange(7) * 0.3 + step); };
   const torch::Tensor uncut = torch::zeros({7});
   torch::Tensor gradients = torch::zeros({7});

@@ -115,7 +115,7 @@ struct Both {
 
 class DenseChains : public testing::TestWithParam<std::tuple<int, std::int64_t>> {};
 
-TEST_P(DenseChains, GiveWhatLibtorchGivesForwardAndBackward) {
+TEST_P(DenseChains, MatchLibtorchForwardAndBackward) {
   const auto [depth, rows] = GetParam();
   Both both(depth);
   const torch::Tensor x = random_tensor("x", rows, inputs).requires_grad_();

@@ -12,7 +12,7 @@ void set(const ParameterSet& parameters, const std::string& name, const torch::T
   parameters[name].copy_(values);
 }
 
-TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
+TEST(DenseChain, AppliesReluBetweenLayersOnly) {
   const ParameterSet parameters(nets::dense_chain_specs("net/a", 2, 2, {2, 2}), Stream("test"));
   set(parameters, "net/a/0/weight", torch::tensor({{1.0, -2.0}, {3.0, 1.0}}));
   set(parameters, "net/a/0/bias", torch::tensor({0.5, -1.0}));
@@ -24,7 +24,7 @@ TEST(DenseChain, AppliesReluBetweenLayersAndNotAtTheEnd) {
   EXPECT_TRUE(torch::allclose(out, torch::tensor({{4.0, -3.0}, {7.5, -9.0}})));
 }
 
-TEST(DenseChain, DoesNotTakeTheLayersOfALongerName) {
+TEST(DenseChain, DoesNotUseLayersOfALongerName) {
   std::vector<nets::ParameterSpec> specs = nets::dense_chain_specs("net/a", 2, 2, {1, 2});
   const auto others = nets::dense_chain_specs("net/ab", 2, 2, {1, 2});
   specs.insert(specs.end(), others.begin(), others.end());

@@ -14,7 +14,7 @@ TEST(PrepareDevice, HoldsLibTorchToOneThread) {
   EXPECT_EQ(torch::get_num_threads(), 1);
 }
 
-TEST(PrepareDevice, TakesCudaWhereThereIsOneAndRefusesItElsewhere) {
+TEST(PrepareDevice, UsesCudaIfPresentAndRefusesItOtherwise) {
   if (torch::cuda::is_available()) {
     EXPECT_EQ(prepare_device(Device::cuda).type(), torch::kCUDA);
   } else {

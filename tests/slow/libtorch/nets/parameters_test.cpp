@@ -44,7 +44,7 @@ TEST(ParameterSet, InitialValuesKeepTheirBoundsAndConstants) {
   EXPECT_TRUE(torch::equal(set["zeros"].detach(), torch::zeros({5})));
 }
 
-TEST(ParameterSet, InitialValuesDependOnTheirNameAlone) {
+TEST(ParameterSet, InitialValuesDependOnTheirNameOnly) {
   const ParameterSet set = small_set();
   const ParameterSet more({{"other", {100}, 1}, {"a/bias", {2}, 0.25}}, Stream("test"));
   EXPECT_TRUE(torch::equal(set["a/bias"], more["a/bias"]));

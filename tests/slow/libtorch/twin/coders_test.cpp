@@ -69,7 +69,7 @@ TEST_P(Coders, DecodeEveryPartOfTheirInput) {
 }
 
 /// Checks that the other windows of a batch do not affect a window's code.
-TEST_P(Coders, TreatTheWindowsOfABatchApart) {
+TEST_P(Coders, TreatTheWindowsOfABatchIndependently) {
   const torch::Tensor all = networks_.encode(parameters_, x_);
   const torch::Tensor one = networks_.encode(parameters_, x_.narrow(0, 1, 1));
   EXPECT_LT((all.narrow(0, 1, 1) - one).abs().max().item<double>(), 1e-12);
@@ -123,7 +123,7 @@ std::vector<std::string> names_of(const std::vector<nets::ParameterSpec>& specs)
 
 /// Checks that parts not replaced by Models 2, 4, 5 and the outlook models keep their names, shapes
 /// and initial values.
-TEST(TwinVariants, DifferInTheirPartAlone) {
+TEST(TwinVariants, DifferInTheirPartOnly) {
   const twin::NetworkShape shape{64, 3};
   const Networks full(twin::full_model, shape, small_options(3));
   const Networks without(twin::without_physics, shape, small_options(3));
@@ -194,7 +194,7 @@ void expect_usage_error(const twin::TwinVariant& variant, std::int64_t samples, 
   }
 }
 
-TEST(TwinVariants, NameTheWindowsThatWork) {
+TEST(TwinVariants, NamePossibleWindows) {
   expect_usage_error(twin::convolutional_model, 1000, 4, {"1000", "multiples of 64", "--window"});
   expect_usage_error(twin::convolutional_model, 1024, 7, {"1024", "multiples of 4096", "--depth"});
   expect_usage_error(twin::convolutional_model, 1024, 32, {"--depth"});

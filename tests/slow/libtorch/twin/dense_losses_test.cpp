@@ -41,7 +41,7 @@ torch::Tensor gradient(const torch::Tensor& loss, const torch::Tensor& by) {
   return torch::autograd::grad({loss}, {by}, {}, /*retain_graph=*/true)[0];
 }
 
-TEST(BatchMmdAgainstLibtorch, IsLibtorchsWithItsGradients) {
+TEST(BatchMmdAgainstLibtorch, MatchesLibtorchWithItsGradients) {
   const Array x = random_array("x", 3, 17);
   const Array y = random_array("y", 5, 17, 1.5);
   Array by_x = Array::Ones(3, 17);  // add_batch_mmd adds to this
@@ -57,7 +57,7 @@ TEST(BatchMmdAgainstLibtorch, IsLibtorchsWithItsGradients) {
 
 class TwinLossesAgainstLibtorch : public testing::TestWithParam<twin::LossInterpretation> {};
 
-TEST_P(TwinLossesAgainstLibtorch, ReconstructionIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, ReconstructionMatchesLibtorch) {
   const Array x = random_array("x", 4, 33);
   const Array a = random_array("a", 4, 33, 0.7);
   const twin::LossOf<double> mine = twin::reconstruction_loss<double>(x, a, GetParam());
@@ -67,7 +67,7 @@ TEST_P(TwinLossesAgainstLibtorch, ReconstructionIsLibtorchs) {
   expect_equal(mine.by_acceleration, gradient(theirs, ta));
 }
 
-TEST_P(TwinLossesAgainstLibtorch, DifferentialIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, DifferentialMatchesLibtorch) {
   const twin::BatchMotion<double> motion{random_array("u", 4, 40), random_array("v", 4, 40),
                                          random_array("a", 4, 40)};
   for (const auto derivatives : {twin::Derivatives::central, twin::Derivatives::spectral}) {
@@ -119,12 +119,12 @@ void expect_twin_loss_of_libtorch(const std::vector<twin::Contact>& contacts,
   expect_equal(mine.by_k_and_c, gradient(theirs, kc));
 }
 
-TEST_P(TwinLossesAgainstLibtorch, TwinIsLibtorchs) {
+TEST_P(TwinLossesAgainstLibtorch, TwinMatchesLibtorch) {
   expect_twin_loss_of_libtorch(
       {{.outside_m = 0, .inside_m = 2e-6}, {.outside_m = 0, .inside_m = 3e-6}}, GetParam());
 }
 
-TEST_P(TwinLossesAgainstLibtorch, TwinIsLibtorchsWhereTheDefectIsPassed) {
+TEST_P(TwinLossesAgainstLibtorch, TwinMatchesLibtorchDuringAPassage) {
   std::vector<double> passing(20, 0.0);
   passing[4] = 0.3;
   passing[5] = 1;

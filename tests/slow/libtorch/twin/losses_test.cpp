@@ -183,7 +183,7 @@ TEST(TwinLoss, GradientStaysFiniteWhereContactIsLost) {
 }
 
 /// A softplus may underflow to 0 in single precision.
-TEST(TwinLoss, StaysFiniteWithItsGradientWhereThereIsNoStiffness) {
+TEST(TwinLoss, StaysFiniteWithItsGradientWithoutStiffness) {
   const twin::Physics physics = example_physics();
   const auto batch = batch_physics(physics, torch::tensor({0}, torch::kInt64), torch::kFloat32);
   const torch::Tensor k_and_c = torch::zeros({1, 2}).requires_grad_();

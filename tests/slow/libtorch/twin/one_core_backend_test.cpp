@@ -49,7 +49,7 @@ TEST_P(TwinAgainstLibtorch, StepsAsLibtorchDoes) {
 // Needs wide tolerances, because Adam divides by the root of its second moment. Rounding of a
 // gradient near zero moves a weight as much as a large gradient does. Three steps leave fewer
 // digits than one step.
-TEST_P(TwinAgainstLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNotFull) {
+TEST_P(TwinAgainstLibtorch, FollowsLibtorchThroughBothStagesAndPartialBatches) {
   TwinTask task = task_of(GetParam());
   // Other coders have at least two layers.
   for (const int depth : {task.variant.coder == CoderKind::dense ? 1 : 2, 3}) {
@@ -69,7 +69,7 @@ TEST_P(TwinAgainstLibtorch, FollowsLibtorchThroughBothStagesAndBatchesThatAreNot
   }
 }
 
-TEST_P(TwinAgainstLibtorch, GivesTheStatesThatLibtorchGives) {
+TEST_P(TwinAgainstLibtorch, MatchesTheStatesOfLibtorch) {
   const TwinTask task = task_of(GetParam());
   const std::vector<TwinPoint> mine =
       one_core_engine(Device::cpu).train(task, Stream("initial"))->states();

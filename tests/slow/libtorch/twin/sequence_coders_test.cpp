@@ -172,19 +172,19 @@ void expect_the_same() {
   }
 }
 
-TEST(SequenceCoders, OfConvolutionsGiveWhatLibtorchGives) {
+TEST(SequenceCoders, ConvolutionsMatchLibtorch) {
   expect_the_same<twin::ConvolutionalCoder, ConvolutionalCoder>();
 }
 
-TEST(SequenceCoders, OfRecurrentUnitsGiveWhatLibtorchGives) {
+TEST(SequenceCoders, RecurrentUnitsMatchLibtorch) {
   expect_the_same<twin::RecurrentCoder, RecurrentCoder>();
 }
 
-TEST(SequenceCoders, OfTheTemporalNetworkGiveWhatLibtorchGives) {
+TEST(SequenceCoders, TemporalNetworkMatchesLibtorch) {
   expect_the_same<twin::TemporalCoder, TemporalCoder>();
 }
 
-TEST(SequenceCoders, OfTheTransformerGiveWhatLibtorchGives) {
+TEST(SequenceCoders, TransformerMatchesLibtorch) {
   expect_the_same<twin::TransformerCoder, TransformerCoder>();
 }
 

@@ -13,7 +13,7 @@ const NamedVariant variants[] = {{"Full", full_model, libtorch::twin_engine},
                                  {"Transformer", transformer_model, libtorch::twin_engine}};
 INSTANTIATE_TEST_SUITE_P(Libtorch, TwinVariantTraining, testing::ValuesIn(variants), name_of);
 
-TEST(TwinGenerationByLibtorch, RefusesAModelThatLacksWhatTheVariantHas) {
+TEST(TwinGenerationByLibtorch, RefusesAModelWithoutTheNetworksOfTheVariant) {
   for (const auto& [name, variant, engine] : variants) {
     if (variant.physics && variant.coder == CoderKind::dense) continue;
     const artefact::Reader model(

@@ -106,7 +106,7 @@ TEST(WdcnnNetwork, ForwardPassEqualsPlainLoops) {
   expect_equal(by_plain_loops(network, windows, true), network.forward(windows, Mode::evaluation));
 }
 
-TEST(WdcnnNetwork, ForwardPassEqualsPlainLoopsWhereAValueIsLeftOverInPooling) {
+TEST(WdcnnNetwork, ForwardPassEqualsPlainLoopsWithARemainderInPooling) {
   constexpr std::int64_t length = 1040;  // 65 values after the first convolution
   WdcnnNetwork network = double_network(length);
   const torch::Tensor windows = random_windows(3, length);
@@ -129,7 +129,7 @@ TEST(WdcnnNetwork, RunningStatisticsFollowTheClosedForm) {
   }
 }
 
-TEST(WdcnnNetwork, EvaluationTreatsWindowsAloneAndKeepsItsState) {
+TEST(WdcnnNetwork, EvaluationTreatsEachWindowAloneAndKeepsTheState) {
   WdcnnNetwork network = double_network();
   const torch::Tensor windows = random_windows(5);
   network.forward(windows, Mode::training);

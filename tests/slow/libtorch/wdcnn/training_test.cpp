@@ -10,7 +10,7 @@ INSTANTIATE_TEST_SUITE_P(Libtorch, WdcnnTraining,
                          testing::Values(TrainedBy{"Libtorch", libtorch::wdcnn_on(Device::cpu)}),
                          name_of);
 
-TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
+TEST(WdcnnBackends, AgreeUntilRoundingGrows) {
   const LabelledWindows train = tones(11, "train");  // 33 windows: the last batch has 9
   const LabelledWindows test = tones(20, "test");
   const auto run = [&](const MakeWdcnnBackend& backend) {
@@ -30,7 +30,7 @@ TEST(WdcnnBackends, FollowOneCourseUntilRoundingHasGrown) {
 }
 
 /// Uses steps too small for learning, so the networks stay equal and rounding does not grow.
-TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
+TEST(WdcnnBackends, PredictTheSameForEachWindow) {
   const LabelledWindows test = tones(40, "test");
   WdcnnOptions options = short_training(1);
   options.learning_rate = 1e-12;
@@ -51,7 +51,7 @@ TEST(WdcnnBackends, MakeTheSameOfEachWindow) {
 
 // Checks that our network for one core gives the same outputs with weights learned by either back
 // end.
-TEST(WdcnnBackends, HandOverTheirWeights) {
+TEST(WdcnnBackends, ExchangeWeights) {
   const LabelledWindows test = tones(20, "test");
   for (const MakeWdcnnBackend& backend :
        {MakeWdcnnBackend(make_one_core_backend), libtorch::wdcnn_on(Device::cpu)}) {
