@@ -2,20 +2,16 @@
 
 #include "signal/ingest.hpp"
 
-#include <malloc.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
-#include <set>
 
 #include "cli/progress.hpp"
 #include "cli/stage.hpp"
 #include "inspection/check.hpp"
 #include "inspection/picture.hpp"
-#include "inspection/tables.hpp"
-#include "inspection/warnings.hpp"
+#include "inspection/report.hpp"
 #include "signal/described_split.hpp"
-#include "signal/record_files.hpp"
 #include "text/file.hpp"
 
 namespace fs = std::filesystem;
@@ -23,36 +19,30 @@ using namespace piae;
 
 namespace {
 
-/// Prints the findings as tables, then each warning and each problem in a line of its own. Draws
-/// the picture if its file is named.
-void check_files(const signal::Description& description, const fs::path& folder,
+/// Prints the findings, and draws the picture if its file is named.
+void check_files(const signal::Description& description, const fs::path& data_dir,
                  const fs::path& picture) {
   cli::Progress progress("check", "records", description.records.size());
   const inspection::DatasetCheck check =
-      inspection::check(description, folder, [&](std::size_t done) { progress.update(done); });
-  const signal::DatasetInfo& info = description.info;
-  const std::vector<std::string> warnings = inspection::warnings_of(description, check);
-  std::cout << inspection::tables_of(description, check) << '\n';
-  for (const std::string& warning : warnings) std::cout << "warning: " << warning << '\n';
-  for (const std::string& problem : inspection::problems_of(check)) std::cout << problem << '\n';
-  if (!picture.empty()) text::save_all({{picture, inspection::picture_of(info, check)}});
+      inspection::check(description, data_dir, [&](std::size_t done) { progress.update(done); });
+  std::cout << inspection::report_of(description, check);
+  if (!picture.empty()) {
+    text::save_all({{picture, inspection::picture_of(description.info, check)}});
+  }
   if (check.exit != Exit::done) {
-    throw Error(check.exit, "dataset " + info.name +
+    throw Error(check.exit, "dataset " + description.info.name +
                                 " has problems, see above; correct its description or its files");
   }
-  std::cout << fmt::format("checked {} records of {} classes, warnings: {}\n", check.records.size(),
-                           check.classes.size(), warnings.size());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Stage stage("ingest",
-                   "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, TDMS, UFF, "
-                   "LabVIEW, sound), "
-                   "checks them, resamples them to one rate and writes them as one artefact.",
-                   "ingest --description pipeline/datasets/cwru.toml --data-dir data --output "
-                   "records.h5");
+  cli::Stage stage(
+      "ingest",
+      "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW, "
+      "sound), checks them, resamples them to one rate and writes them as one artefact.",
+      "ingest --description pipeline/datasets/cwru.toml --data-dir data --output records.h5");
   fs::path file;
   fs::path data_dir = "data";
   fs::path output;
@@ -78,10 +68,8 @@ int main(int argc, char** argv) {
     }
     const signal::Description description = signal::read_description(file);
     stage.note_read(file);
-    for (const signal::RecordSource& source : description.records) {
-      for (const std::string& name : signal::files_of(source.files, data_dir)) {
-        stage.note_read(data_dir / name);
-      }
+    for (const std::string& name : files_of(description, data_dir)) {
+      stage.note_read(data_dir / name);
     }
     stage.require_no_input(check ? picture : output);
     if (check) {
@@ -91,27 +79,21 @@ int main(int argc, char** argv) {
     if (!picture.empty()) throw Error(Exit::usage, "--picture needs --check (see ingest --help)");
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
-    // Gives the memory of each record back when it is written, instead of keeping it for later.
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    cli::release_freed_memory();
     artefact::Writer writer("records");
     signal::RecordingsWriter recordings(writer, description.info);
     cli::Progress progress("ingest", "records", description.records.size());
-    std::set<std::string> named;
     std::size_t records = 0;
-    std::size_t samples = 0;
     signal::ingest(description, data_dir, [&](const signal::Record& record) {
       recordings.add(record);
-      samples += record.signal.size();
       progress.update(++records);
       for (const signal::SourceFile& recording : record.files) {
-        if (named.insert(recording.name).second) {
-          stage.note_input("recording", recording.name, recording.sha256);
-        }
+        stage.note_input("recording", recording.name, recording.sha256);
       }
     });
     recordings.finish();
     stage.save(writer, output);
-    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n", records, samples,
-                             description.info.sample_rate_hz);
+    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n", records,
+                             recordings.samples(), description.info.sample_rate_hz);
   });
 }

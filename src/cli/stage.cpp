@@ -98,6 +98,8 @@ class UsageForStep {
 
 }  // namespace
 
+void release_freed_memory() { ::mallopt(M_MMAP_THRESHOLD, 1 << 20); }
+
 Stage::Stage(std::string name, const std::string& summary, const std::string& example)
     : name_(std::move(name)), app_(std::make_unique<CLI::App>(summary, name_)) {
   app_->footer("Example:\n  " + example +
@@ -211,7 +213,7 @@ void Stage::note_input(const std::string& role, const std::filesystem::path& pat
 
 void Stage::note_input(const std::string& role, const std::string& name,
                        const std::string& digest) {
-  inputs_.push_back({role, name, digest});
+  if (named_inputs_.emplace(role, name).second) inputs_.push_back({role, name, digest});
 }
 
 void Stage::note_read(const std::filesystem::path& path) { read_paths_.push_back(path); }

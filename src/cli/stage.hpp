@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "artefact/provenance.hpp"
@@ -13,6 +15,10 @@
 #include "cli/options.hpp"
 
 namespace piae::cli {
+
+/// Returns freed memory of 1 MB or more at once, instead of keeping it for later. For programs that
+/// read one large record after another.
+void release_freed_memory();
 
 /// Shared parts of all stage programs: help with an example, options from the command line and a
 /// TOML file, provenance, one-line errors, and exit codes.
@@ -69,7 +75,7 @@ class Stage {
   /// of its bytes.
   void note_input(const std::string& role, const std::filesystem::path& path);
 
-  /// Records a file with a known digest and the given name.
+  /// Records a file with a known digest and the given name, once.
   void note_input(const std::string& role, const std::string& name, const std::string& digest);
 
   /// Protects a file from being replaced by an output although provenance does not record it, such
@@ -101,6 +107,7 @@ class Stage {
   std::unique_ptr<CLI::App> app_;
   std::vector<std::string> recorded_unless_default_;
   std::vector<artefact::Provenance::Input> inputs_;
+  std::set<std::pair<std::string, std::string>> named_inputs_;  ///< role and name
   std::vector<std::filesystem::path> input_paths_;
   std::vector<std::filesystem::path> read_paths_;  ///< inputs and all other files that are read
 };

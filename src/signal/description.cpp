@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string_view>
@@ -381,6 +382,14 @@ Description read_description(const fs::path& file) {
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
   return description;
+}
+
+std::vector<std::string> files_of(const Description& description, const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const RecordSource& source : description.records) {
+    std::ranges::copy(files_of(source.files, folder), std::back_inserter(files));
+  }
+  return files;
 }
 
 std::string list_of_sources(const fs::path& description, const fs::path& folder) {

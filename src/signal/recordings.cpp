@@ -148,6 +148,7 @@ RecordingsWriter::RecordingsWriter(artefact::Writer& writer, const DatasetInfo& 
 
 void RecordingsWriter::add(const Record& record) {
   write_record(writer_, record, info_);
+  samples_ += record.signal.size();
   if (record.pieces.size() > 1) pieces_.emplace_back(record.name, record.pieces);
 }
 

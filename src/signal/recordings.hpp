@@ -70,9 +70,13 @@ class RecordingsWriter {
   /// Writes /pieces, after the last record.
   void finish();
 
+  /// Returns the samples of all records so far.
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+
  private:
   artefact::Writer& writer_;
   const DatasetInfo& info_;
+  std::size_t samples_ = 0;
   std::vector<std::pair<std::string, std::vector<std::size_t>>> pieces_;  ///< of several, by name
 };
 

@@ -47,17 +47,17 @@ MonitorOptions options_at(double rate_hz, double every_s = 0) {
   return options;
 }
 
-struct Watched {
+struct Monitored {
   std::vector<Decision> decisions;
   std::uint64_t samples = 0;
   std::uint64_t not_finite = 0;
   std::size_t silent = 0;
 };
 
-Watched watched(const std::vector<float>& signal, const MonitorOptions& options,
+Monitored watched(const std::vector<float>& signal, const MonitorOptions& options,
                 std::size_t piece) {
   Monitor monitor(rig(), window_length, by_mean, options, "raw");
-  Watched watched;
+  Monitored watched;
   const auto report = [&](const Decision& d) { watched.decisions.push_back(d); };
   const auto bytes = std::as_bytes(std::span(signal));
   for (std::size_t at = 0; at < bytes.size(); at += piece) {
@@ -104,7 +104,7 @@ TEST(Monitor, CutsNoWindowAcrossNonFiniteSamples) {
   signal.push_back(std::numeric_limits<float>::infinity());
   append_wave(signal, 2, 99);
   for (const std::size_t piece : {4, 7, 4000}) {
-    const Watched all = watched(signal, options_at(1000), piece);
+    const Monitored all = watched(signal, options_at(1000), piece);
     EXPECT_EQ(text_of(all.decisions), "0.10 Normal off; 0.28 OR off; ") << piece;
     EXPECT_EQ(all.samples, 400U);
     EXPECT_EQ(all.not_finite, 31U);
@@ -176,7 +176,7 @@ TEST(Monitor, CutsNoWindowAcrossABreak) {
 
 TEST(Monitor, ReportsASilentSensorAsNotHealthy) {
   const std::vector<float> dead(400, 0.25F);
-  const Watched all = watched(dead, options_at(1000), 1000);
+  const Monitored all = watched(dead, options_at(1000), 1000);
   EXPECT_EQ(text_of(all.decisions),
             "0.10 -? off; 0.20 -? off; 0.30 -? raised unknown; 0.40 -? on unknown; ");
   EXPECT_EQ(all.silent, 4U);

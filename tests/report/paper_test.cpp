@@ -81,13 +81,13 @@ TEST(References, OfAStandInSaySo) {
   EXPECT_EQ(hit_sm.none().of({"key", "T", "", text::Table({}, 0)}).note,
             "hit-sm stands in for HFHP.");
   EXPECT_EQ(hit_sm.label(), "paper, HFHP");
-  EXPECT_FALSE(hit_sm.beside()->own);
-  EXPECT_FALSE(PaperReference("cwru-as-published").beside()->own);
+  EXPECT_FALSE(hit_sm.counterpart()->own);
+  EXPECT_FALSE(PaperReference("cwru-as-published").counterpart()->own);
 }
 
 TEST(References, AreNotMadeForOtherDatasets) {
   const PaperReference simulated("simulated");
-  EXPECT_EQ(simulated.beside(), std::nullopt);
+  EXPECT_EQ(simulated.counterpart(), std::nullopt);
   EXPECT_EQ(text_of(simulated.table(&PaperDataset::methods_table)), "T|N");
   EXPECT_EQ(text_of(simulated.figure(&PaperDataset::methods_quality_figure)), "T|N");
   EXPECT_EQ(text_of(simulated.figure(15)), "T|N");

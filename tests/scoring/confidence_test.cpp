@@ -31,7 +31,7 @@ TEST(Confidence, HasTheCalibrationErrorAndTheAnswerableShare) {
   const Confidence confidence = confidence_of(two_windows());
   EXPECT_NEAR(confidence.calibration_error, (0.2 + 0.6) / 2, 1e-7);
   EXPECT_EQ(confidence.answerable, 0.5);
-  EXPECT_TRUE(confidence.tells);
+  EXPECT_TRUE(confidence.ranks_answers);
 }
 
 TEST(Confidence, VotesGiveNoConfidence) {
@@ -40,7 +40,7 @@ TEST(Confidence, VotesGiveNoConfidence) {
   const Confidence confidence = confidence_of(record);
   EXPECT_EQ(confidence.calibration_error, 0.5);
   EXPECT_EQ(confidence.answerable, 0);
-  EXPECT_FALSE(confidence.tells);
+  EXPECT_FALSE(confidence.ranks_answers);
 }
 
 }  // namespace

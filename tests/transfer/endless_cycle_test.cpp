@@ -21,7 +21,7 @@ std::vector<double> pulses(double first, double period, double height, std::size
 TEST(EndlessCycle, StartsAtAnImpactAndHoldsWholePeriods) {
   const std::vector<double> window = pulses(17, 50, 1, 256);
   const EndlessCycle endless = endless_cycle_of(window, {.first = 17, .period = 50});
-  EXPECT_EQ(endless.cycle.impact_positions, 4U);
+  EXPECT_EQ(endless.cycle.impacts, 4U);
   EXPECT_EQ(endless.cycle.samples, 200U);
   for (std::size_t i = 0; i < 200; ++i) EXPECT_NEAR(endless.samples[i], window[17 + i % 50], 1e-9);
 }

@@ -93,7 +93,7 @@ void load_classifier(const fs::path& file) {
   diagnosis::require_fitting_signal(kept.info(), recorded_hz, recorded_rpm, file.string());
   const classification::Recording recording{.name = file.string(),
                                             .shaft_speed_rpm = recorded_rpm,
-                                            .said = "",
+                                            .true_class = "",
                                             .signal = recorded_samples()};
   (void)classification::judge(recording, kept, kept.length());
 }

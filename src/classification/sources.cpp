@@ -1,0 +1,57 @@
+#include "classification/sources.hpp"
+
+#include "base/error.hpp"
+#include "cli/checks.hpp"
+#include "signal/ranges.hpp"
+
+namespace piae::classification {
+
+void bind(cli::Stage& stage, Sources& sources) {
+  stage
+      .input_file("--recording", sources.lone.file,
+                  "one recording: text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW or sound")
+      .required(false);
+  stage.options().add("--variable", sources.lone.variable,
+                      "variable, dataset, column (name or number) or channel of the recording");
+  stage.options()
+      .add("--sample-rate-hz", sources.lone.sample_rate_hz, "sample rate of the recording, Hz")
+      .check(cli::within(signal::ranges::sample_rate_hz));
+  stage.options()
+      .add("--speed-rpm", sources.lone.shaft_speed_rpm, "shaft speed of the recording, rpm")
+      .check(cli::within(signal::ranges::shaft_speed_rpm));
+  stage
+      .input_file("--description", sources.description,
+                  "Dataset description (TOML) of several recordings, instead of --recording")
+      .required(false);
+  stage.input_file("--data-dir", sources.data_dir, "Folder with the files that --description names")
+      .required(false);
+  stage.options().add("--record", sources.records,
+                      "records of --description to classify (default: all)");
+}
+
+void require_one(const Sources& sources) {
+  if (sources.lone.file.empty() == sources.description.empty()) {
+    throw Error(Exit::usage, "give either --recording or --description");
+  }
+  const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
+                        !sources.lone.variable.empty();
+  if (!sources.lone.file.empty() && !complete) {
+    throw Error(Exit::usage, "--recording needs --variable, --sample-rate-hz and --speed-rpm");
+  }
+}
+
+std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
+                            const signal::DatasetInfo& trained) {
+  if (sources.description.empty()) {
+    stage.note_input("recording", sources.lone.file);
+    return {read_lone_file(sources.lone, trained)};
+  }
+  stage.note_input("description", sources.description);
+  return read_described(sources.description, sources.data_dir, sources.records, trained,
+                        [&](const signal::SourceFile& recording) {
+                          stage.note_read(sources.data_dir / recording.name);
+                          stage.note_input("recording", recording.name, recording.sha256);
+                        });
+}
+
+}  // namespace piae::classification

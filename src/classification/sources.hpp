@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "classification/recording.hpp"
+#include "cli/stage.hpp"
+#include "signal/dataset_info.hpp"
+
+namespace piae::classification {
+
+/// Recordings to classify: a single file, or those of a description.
+struct Sources {
+  LoneFile lone;
+  std::filesystem::path description;
+  std::filesystem::path data_dir = "data";
+  std::vector<std::string> records;  ///< of the description; all if empty
+};
+
+void bind(cli::Stage& stage, Sources& sources);
+
+/// Throws Error(usage) unless exactly one of both is named, a single file with its variable, sample
+/// rate and shaft speed.
+void require_one(const Sources& sources);
+
+/// Reads the recordings at the sample rate of the training, and records the files as inputs of the
+/// stage. Throws as read_lone_file() and read_described() do.
+std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
+                            const signal::DatasetInfo& trained);
+
+}  // namespace piae::classification
