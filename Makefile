@@ -55,14 +55,14 @@ in_folders := ' $$
 of_code    := $(in_folders) " ` \ ; & | < > ( ) { } [ ] * ? ! ~ \#
 found_in    = $(firstword $(foreach sign,$2,$(if $(findstring $(sign),$(value $1)),$(sign)))\
                 $(if $(findstring $(line_break),$(value $1)),newline))
-refuse_signs = $(if $(found_in),$(error $1: holds a $(found_in), which it must not; $3))
+refuse_signs = $(if $(found_in),$(error $1: contains a $(found_in), which is not allowed; $3))
 $(if $(strip $(value DATA_DIR)),,$(error DATA_DIR: is empty; name a folder or leave it out))
 $(call refuse_signs,DATA_DIR,$(in_folders),rename the folder or make a link to it)
-$(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: begins with '-'; write ./$(DATA_DIR)))
+$(if $(filter -%,$(firstword $(DATA_DIR))),$(error DATA_DIR: starts with '-'; write ./$(DATA_DIR)))
 $(foreach name,$(filter-out DATA_DIR SUBMIT,$(variables)),\
-  $(call refuse_signs,$(name),$(of_code),it is a plain word or a list of them))
+  $(call refuse_signs,$(name),$(of_code),use plain words))
 $(foreach name,$(filter RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS,$(given)),\
-  $(if $(strip $($(name))),,$(error $(name): is empty)))
+  $(if $(strip $($(name))),,$(error $(name): is empty; give a value or leave it out)))
 # make would interpret these characters in a file name.
 comma := ,
 $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
@@ -71,8 +71,8 @@ $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/
 # that it runs, and does not need LibTorch.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 $(foreach name,$(filter DATASETS METHODS RATIOS CLASSIFIERS,$(given)),\
-  $(error make demo: has $(name) of its own; `make all` takes any))
-$(if $(filter-out demo,$(MAKECMDGOALS)),$(error make demo: give no other target with it))
+  $(error make demo: $(name) cannot be chosen; `make all` accepts it))
+$(if $(filter-out demo,$(MAKECMDGOALS)),$(error make demo: cannot be combined with other targets; run it alone))
 RUN      := demo
 RATIOS   := 100to1 5to1
 SEEDS    := 0 1 2
@@ -86,20 +86,20 @@ upper_case = $(shell printf %s '$1' | tr a-z A-Z)
 like_it    = $(foreach name,$(variables),$(if $(filter $1%,$(name))$(filter $(name)%,$1),$(name)))
 meant      = $(firstword $(call like_it,$(call upper_case,$1)))
 $(foreach name,$(filter-out $(variables),$(given)),$(error there is no variable $(name); $(or \
-  $(patsubst %,did you mean %?,$(call meant,$(name))),`make help` lists those there are)))
-one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: $(firstword $2) or \
+  $(patsubst %,did you mean %?,$(call meant,$(name))),`make help` lists all)))
+one_of = $(if $(and $(filter $2,$($1)),$(filter 1,$(words $($1)))),,$(error $1: must be $(firstword $2) or \
   $(lastword $2), not '$($1)'))
 $(call one_of,LIBTORCH,on off)
 $(call one_of,PROTOCOL,random blocked)
-$(if $(filter full short least,$(STORM)),,$(error STORM: full, short or least, not '$(STORM)'))
-$(if $(filter-out all,$(LINT)),$(error LINT: all, or not given, not '$(LINT)'))
+$(if $(filter full short least,$(STORM)),,$(error STORM: must be full, short or least, not '$(STORM)'))
+$(if $(filter-out all,$(LINT)),$(error LINT: must be all, or not given, not '$(LINT)'))
 
-$(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error there is no \
-  sbatch here, so no Slurm to submit to; `make all` computes here, `make cluster-plan` shows the jobs)))
+$(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error sbatch is not installed, \
+  so there is no Slurm to submit to; `make all` computes here, `make cluster-plan` shows the jobs)))
 
 # Accepts a folder as a shell completes it: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
-$(if $(RUN),,$(error RUN: is empty))
+$(if $(RUN),,$(error RUN: is empty; give a name or leave it out))
 results      := results/$(RUN)$(patsubst %,-%,$(filter blocked,$(PROTOCOL)))
 
 # The one-letter options of this make, such as -nk.

@@ -15,11 +15,11 @@ if [[ ! $queue ]]; then
 fi
 read -ra jobs < <(job_ids <<<"$queue")
 # Last job first: otherwise the tables would start when nothing is left to wait for.
-scancel "${jobs[@]}" || die "not all of it could be stopped; the jobs are those of" \
+scancel "${jobs[@]}" || die "some jobs could not be stopped; they belong to" \
   "$(job_users <<<"$queue")"
 for _ in {1..60}; do
   queue=$(jobs_in_queue "$results") && [[ ! $queue ]] && break
   sleep 2
 done
 [[ ! $queue ]] || die "still ending: $(job_ids <<<"$queue")"
-echo "stopped: job ${jobs[*]}; the same \`make cluster\` makes what is missing"
+echo "stopped: job ${jobs[*]}; the same \`make cluster\` continues"

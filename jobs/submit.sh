@@ -27,7 +27,7 @@ results=$(run_folder)
 jobs_at_a_time=$(value_of JOBS "$@") gpu_partition=$(value_of GPU_PARTITION "$@")
 for name in CORES MINUTES JOBS; do
   value=$(value_of "$name" "$@")
-  [[ $value =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: a whole number from 1 up, not '$value'"
+  [[ $value =~ ^[1-9][0-9]{0,4}$ ]] || die "$name: must be a whole number from 1 up, not '$value'"
 done
 if [[ $only_plan ]]; then
   scratch=$(mktemp -d)
@@ -40,10 +40,10 @@ fi
 # If others can write there, a link may have been planted, and a pipe would block.
 lock=$results/.jobs/lock
 [[ ! -L $results/.jobs && ! -L $lock && (! -e $lock || -f $lock) ]] ||
-  die "$results/.jobs or its lock is a link, or no file; remove it; nothing is submitted"
+  die "$results/.jobs or its lock is a link or not a regular file; remove it; nothing is submitted"
 # A job that cannot write its log ends without a message, so try it first.
 { mkdir -p "$results/.jobs" && exec 9>>"$lock"; } 2>/dev/null ||
-  die "$results/.jobs cannot be written, where the logs of the jobs are to be; nothing is submitted"
+  die "$results/.jobs cannot be written, but the jobs keep their logs there; nothing is submitted"
 flock --nonblock 9 || die "another \`make cluster\` is submitting this run; nothing is submitted"
 queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; nothing is submitted"
 [[ -z $queue ]] || die "jobs of this run are in the queue already: $(job_ids <<<"$queue")" \
@@ -51,7 +51,7 @@ queue=$(jobs_in_queue "$results") || die "Slurm does not answer, see above; noth
   "\`make status\` shows them, \`make cluster-stop\` stops them"
 
 folder=$results/.jobs/$(date +%Y%m%dT%H%M%S)
-mkdir "$folder" || die "$folder is there already: try again in a second"
+mkdir "$folder" || die "$folder exists already; try again in a second"
 GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_of CORES "$@")" \
   --minutes "$(value_of MINUTES "$@")" | tee "$folder/plan.txt" || {
   status=$?
@@ -66,7 +66,7 @@ GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_o
 # Slurm signals a job two minutes before its time limit, so that trainings write checkpoints; after half the time if the
 # limit is below four minutes.
 limit_s=$(seconds_of "${SBATCH_TIMELIMIT:-60}") ||
-  die "SBATCH_TIMELIMIT: minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
+  die "SBATCH_TIMELIMIT: must be minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
 told_s=$((limit_s < 240 ? limit_s / 2 : 120))
 # If a job of an array calls this script, the new jobs must not become its tasks.
 unset "${!SLURM_ARRAY_@}" SBATCH_ARRAY_INX
@@ -113,4 +113,4 @@ while IFS=$'\t' read -r kind number cores minutes megabytes _; do
 done <"$folder/jobs"
 
 echo "submitted as job $(awk -F '\t' '{ printf "%s%s (%s)", before, $2, $1; before = ", " }' "$folder/submitted")"
-echo "\`make status\` shows how far it is, \`make cluster-stop\` stops it; with the same RUN. Logs: $folder"
+echo "With the same RUN, \`make status\` shows the progress and \`make cluster-stop\` stops it. Logs: $folder"

@@ -38,7 +38,7 @@ cmake -S . -B "$folder" "${options[@]}" "-DPIAE_ARCH=$arch" "-DPIAE_LIBTORCH=$li
   "-DPIAE_TESTS=$(on_if_requested '(slow_)?tests|storm_.*' "$@")" \
   "-DPIAE_BENCH=$(on_if_requested 'benches.*' "$@")" >"$folder/configure.log" 2>&1 || {
   cat "$folder/configure.log" >&2
-  echo "build: cmake could not configure; above is why (also in $folder/configure.log)" >&2
+  echo "build: cmake could not configure; see above (also in $folder/configure.log)" >&2
   exit 1
 }
 # Hide the lines that appear when there is nothing to build.

@@ -32,7 +32,7 @@ if [[ " $* " == *" lint "* ]]; then
 fi
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "deps: not Debian or Ubuntu, so nothing is installed here; needed are: ${packages[*]}" >&2
+  echo "deps: not Debian or Ubuntu, so nothing is installed here; install these packages: ${packages[*]}" >&2
   exit 0
 fi
 
@@ -51,7 +51,7 @@ if ((EUID == 0)); then
 elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [[ -t 0 ]] && sudo -v; }; }; then
   as_root=sudo
 else
-  echo "deps: packages are missing, and installing them needs root. Run this, or have it run:" >&2
+  echo "deps: packages are missing, and installing them needs root. Run this, or ask an administrator to:" >&2
   echo "  sudo apt-get update && sudo apt-get install $packages_to_install" >&2
   exit 2
 fi

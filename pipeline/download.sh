@@ -11,7 +11,7 @@ shift
 is_right() { [[ -f $1 ]] && echo "$2  $1" | sha256sum --check --status; }
 
 give_up() { # file, sha256, what happened
-  echo "data: $1: $3. Run the same command to go on, or put the file there by hand (sha256 $2)," \
+  echo "data: $1: $3. Run the same command to continue, or put the file there by hand (sha256 $2)," \
     "or name a folder that has the recordings: DATA_DIR=..." >&2
   exit 1
 }
@@ -19,11 +19,11 @@ give_up() { # file, sha256, what happened
 # A link planted in the folder must not redirect the download.
 require_inside() { # file, sha256
   [[ $(realpath -m "${1%/*}")/ == "$(realpath -m "$data_dir")"/* ]] ||
-    give_up "$1" "$2" "its folder is a link out of $data_dir, and nothing is downloaded to there"
-  [[ ! -L $1 && ! -L $1.part ]] || give_up "$1" "$2" "it or its .part is a link, and nothing is written through one"
+    give_up "$1" "$2" "its folder is a link out of $data_dir, so nothing is downloaded to it"
+  [[ ! -L $1 && ! -L $1.part ]] || give_up "$1" "$2" "it or its .part is a link, so nothing is written"
   local there
   for there in "$1" "$1.part"; do
-    [[ ! -e $there || -f $there ]] || give_up "$1" "$2" "$there is there and is not a file; remove it"
+    [[ ! -e $there || -f $there ]] || give_up "$1" "$2" "$there is not a regular file; remove it"
   done
 }
 
@@ -41,7 +41,7 @@ download() { # file, url
 fetch() { # file, sha256, url
   local file=$1 sum=$2 url=$3 part=$1.part message status=0
   require_inside "$file" "$sum"
-  mkdir -p "${file%/*}" || give_up "$file" "$sum" "its folder cannot be made"
+  mkdir -p "${file%/*}" || give_up "$file" "$sum" "its folder cannot be created"
   if ! is_right "$part" "$sum"; then
     echo "data: $file from $url"
     message=$(download "$part" "$url" 2>&1) || status=$?
@@ -54,7 +54,7 @@ fetch() { # file, sha256, url
   fi
   if ! is_right "$part" "$sum"; then
     rm -f "$part"
-    give_up "$file" "$sum" "what $url sent is not the recording that is described"
+    give_up "$file" "$sum" "the file from $url is not the described recording"
   fi
   mv -T "$part" "$file"
 }
@@ -77,7 +77,7 @@ for dataset in "$@"; do
       fetched=$((fetched + 1))
     fi
   done <<<"$sources"
-  echo "data: $dataset: $fetched files fetched, $there were there"
+  echo "data: $dataset: $fetched files fetched, $there existed"
   if ((${#missing[@]})); then
     echo "data: $dataset: no official address for ${missing[*]}: put them there by hand," \
       "or name a folder that has the recordings: DATA_DIR=..." >&2

@@ -13,7 +13,7 @@ refuse() { # exit code, line
 
 for run; do
   compgen -G "${run%/}/*/seed*/" >/dev/null ||
-    refuse 65 "$run: is not a run, since it has no folder DATASET/seedK; name one such as results/paper"
+    refuse 65 "$run: is not a run, because it does not have a folder DATASET/seedK; name one such as results/paper"
 done
 
 # Lists RUN/DATASET/seedK/METHOD/RATIO, and one folder deeper for the cells of sweeps and interpretations.
@@ -28,7 +28,7 @@ for run; do
   while IFS= read -r -d '' file; do
     folder=${file%/*}/wdcnn
     if [[ -e $folder/${file##*/} ]]; then
-      echo "new_layout.sh: $file: is in $folder, too; remove one of the two" >&2
+      echo "new_layout.sh: $file: exists in $folder, too; remove one of the two" >&2
       status=65
       continue
     fi

@@ -14,7 +14,7 @@ plan() { "$BIN/plan" "$@"; }
 if [[ $flags == *n* ]]; then
   if [[ ! -x $BIN/plan ]] || { [[ $BIN == build/bin ]] && ! plan --looks >/dev/null 2>&1 &&
     [[ $(find src stages -newer "$BIN/plan" -print -quit 2>/dev/null) ]]; }; then
-    echo 'for the steps of the grid the programs must be built first: `make build`'
+    echo 'to list the steps of the grid, build the programs first: `make build`'
     exit
   fi
 fi
@@ -53,7 +53,7 @@ while :; do
   [[ $flags != *q* ]] || exit "$status"
   if [[ $stretch == grid ]] && ((status)); then
     plan --looks --format why >&2
-    echo 'not every step could be done, see above; `make status`, with the same variables, shows which failed and why' >&2
+    echo 'some steps failed, see above; `make status` with the same variables shows which, and why' >&2
   fi
 done
 ((status)) || [[ $flags == *[nq]* ]] || tail --lines=+2 "$scratch"

@@ -4,7 +4,7 @@
 #
 # The log is locked while the step runs. Its second line has the start time, by the clock of the file system. Its last
 # lines have the time spent in a queue, if any, the resources used, unless the stage was killed, and the end:
-#   `step: begun at 1763800000.123456`
+#   `step: started at 1763800000.123456`
 #   `step: waited 20.1 s`
 #   `step: used 11.93 s of processor time and 153 MB of memory`
 #   `step: exit 65 after 12.3 s`
@@ -94,7 +94,7 @@ cannot_write() {
 # process has the lock; any other failure that the file system lacks locks, and the step runs without one.
 flock --timeout 1 9 2>/dev/null
 if (($? == 1)); then
-  report "waits: another make is at this step" >&2
+  report "waits: another make runs this step" >&2
   flock 9
 fi
 # Another make may have finished this step since it was planned, or its inputs may have come out unchanged.
@@ -102,12 +102,12 @@ planned_before() { [[ -s $log && ${ASKED_AT:-} && $(time_of "$log") > $ASKED_AT 
 if [[ ${ONLY_IF_DUE:-} ]] || planned_before; then
   "$BIN/plan" --is-due "$name" 2>/dev/null
   if (($? == 3)); then
-    report "is as it was"
+    report "is unchanged"
     exit 0
   fi
 fi
 command="${SUBMIT:+$SUBMIT }$BIN/$stage ${options[*]}"
-{ echo "$command" >"$log" && echo "step: begun at $(time_of "$log")" >>"$log"; } 2>/dev/null || cannot_write
+{ echo "$command" >"$log" && echo "step: started at $(time_of "$log")" >>"$log"; } 2>/dev/null || cannot_write
 note_what_is_there
 
 now
@@ -176,7 +176,7 @@ fi
 why=
 if ((status == 0)) && ! made_anew; then
   status=$((${#stopped} ? 143 : 1))
-  why="the stage ended as if all were well, but has not made ${missing_output:-anything}; was its node lost?"
+  why="the stage exited with 0, but did not make ${missing_output:-anything}; was its node lost?"
 elif [[ $stopped ]] && ((status != 75)) && { ((status >= 128)) || ! has_started; }; then
   status=143
 elif ((status == 137)) || { ((status)) && log_has 'oom.kill'; }; then
@@ -190,7 +190,7 @@ case $status in
     fit "$line"
     echo "$fit"
     ;;
-  75) report "interrupted after a checkpoint; the same command goes on from there" >&2 ;;
+  75) report "interrupted after a checkpoint; the same command continues" >&2 ;;
   *) report "failed with exit code $status after $seconds s${why:+: $why} (log: $log)" >&2 ;;
 esac
 exit "$status"

@@ -57,7 +57,7 @@ do for [i = 1:count] {
     set label 3 sprintf("CD %.2f", critical) at 1 + critical, -30 offset 0.8, 0 font font_11
   }
   if (seeds > 1 && critical > methods - 1) {
-    set label 3 sprintf("CD %.2f: more than there are ranks", critical) at 1, -30 font font_11
+    set label 3 sprintf("CD %.2f: larger than any difference", critical) at 1, -30 font font_11
   }
   plot data using (is("method") ? $5 : NaN):(0):(0):(name_y($4)) \
          with vectors nohead linewidth 0.8 linecolor rgb 0x777777, \

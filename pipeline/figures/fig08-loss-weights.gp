@@ -5,7 +5,7 @@ set xlabel "epoch"
 set ylabel "weight of eq. 23, logarithmic"
 set logscale y
 set yrange [*:*]
-set title "Weights of the losses of PIAE-DT by epoch, and where eq. 23 is least (dotted)"
+set title "Weights of the losses of PIAE-DT by epoch, and the minimum of eq. 23 (dotted)"
 set key outside right center
 label(curve) = curve eq "alpha" ? "α, differential" : curve eq "beta" ? "β, twin" : "γ, reconstruction"
 is_least         = "stationary"

@@ -14,7 +14,7 @@ mark_of(i)  = i == count ? 9 : 7
 is(seed)    = strcol(4) eq kind_of(i) && strcol(5) eq class_of(i) && (strcol(6) eq "mean") == (seed eq "mean")
 stats data using 7 nooutput
 most = STATS_max > 0 ? 1.05 * STATS_max : 1
-set label 1 "Faults taken for healthy, and healthy windows taken for a fault, at ". \
+set label 1 "Faults classified as healthy, and healthy windows classified as a fault, at ". \
             colon(word(words_ratio, words(words_ratio)))
 set label 2 "percent of the test windows of a class"
 set multiplot

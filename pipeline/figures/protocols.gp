@@ -16,7 +16,7 @@ of_seed(n) = is(n) && strcol(5) ne "mean" ? $6 : NaN
 of_mean(n) = is(n) && strcol(5) eq "mean" ? $6 : NaN
 stats data using (valid(7) ? $7 : $6) name "low" nooutput
 least = low_min > 5 ? low_min - 5 : 0
-set label 1 "Accuracy where test windows overlap those for training, and where not"
+set label 1 "Accuracy with and without overlap of test and training windows"
 set label 2 "accuracy, percent"
 set multiplot
 do for [i = 1:count] {

@@ -1,9 +1,9 @@
 # Precision by the share of answered windows: method,ceiling,ratio,answered,precision. One line for each method. Methods
 # at the ratio of `none` other than `none` are classifiers for comparison: lines without marks.
 load scripts.'/method_rows.gp'
-set title "Right answers where only the surest windows are answered".by_whom.", at ".colon(word(words_ratio, words(words_ratio)))
-set xlabel "test windows that are answered, percent"
-set ylabel "answers that are right, percent"
+set title "Correct answers if only the most certain windows are answered".by_whom.", at ".colon(word(words_ratio, words(words_ratio)))
+set xlabel "answered test windows, percent"
+set ylabel "correct answers, percent"
 set key outside right center
 stats data using 5 nooutput
 beside = ""

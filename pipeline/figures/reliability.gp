@@ -7,8 +7,8 @@ columns = 4
 edge_left = 62; edge_right = 16; edge_top = 84; edge_bottom = 56; gap_x = 16; gap_y = 34
 load scripts.'/panel_grid.gp'
 is_bin(least) = strcol(1) eq method && strcol(4) eq "bin" && $7 >= least
-set label 1 "How often the classifier is right by its own score".by_whom.", at ".colon(word(words_ratio, words(words_ratio)))
-set label 2 "score of the class that was named, percent"
+set label 1 "How often the classifier is correct, by its own score".by_whom.", at ".colon(word(words_ratio, words(words_ratio)))
+set label 2 "score of the predicted class, percent"
 set label 3 "accuracy and share of the windows, percent"
 set multiplot
 do for [i = 1:count] {

@@ -79,9 +79,9 @@ stats data using ($6 == 1 || strcol(4) eq "bar" ? end(12) : NaN) name "low" noou
 stats data using ($6 == 1 || strcol(4) eq "bar" ? $10 : NaN) name "one" nooutput
 bottom = floor((low_min < one_min ? low_min : one_min) / 10.0) * 10 - 2
 set yrange [(bottom < 0 ? -2 : bottom):102]
-set label 1 (by_speed ? "Accuracy at another speed than that at which faults are known" : \
-  "Accuracy in another condition than that in which faults are known").": ".part
-set label 4 "each method by the input that was chosen for it before; marks: mean over the seeds and its 95 % interval; dots: seeds" \
+set label 1 (by_speed ? "Accuracy at a speed other than that of the known faults" : \
+  "Accuracy in a condition other than that of the known faults").": ".part
+set label 4 "each method by the input chosen for it beforehand; marks: mean over the seeds and its 95 % interval; dots: seeds" \
   at screen 0.5, 1 - 36.0 / height center font font_11 textcolor rgb 0x555555
 set label 2 by_speed ? "tested speed divided by the speed at which faults are known (data set ".substr(name(1), 1, common)."...)" \
   : sets > 4 ? "data set ".substr(name(1), 1, common)."..." : "data set"

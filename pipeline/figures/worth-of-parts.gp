@@ -32,7 +32,7 @@ stats data using (high($6)) name "high" nooutput
 least = low_min < 0 ? low_min : 0
 most  = high_max > 0 ? high_max : 0
 span  = most > least ? most - least : 1
-set label 1 sprintf("What each part of %s is worth: accuracy with one setting moved minus that of the method as it is", part)
+set label 1 sprintf("Effect of each part of %s: accuracy with one setting moved minus that of the unchanged method", part)
 set label 2 "points of accuracy by ".word(words_classifier, 1).", paired by seed" at screen 0.5, 36.0 / height
 set label 4 "blue: the 95 % interval of the mean lies on one side of zero" at screen 0.5, 14.0 / height center \
   textcolor rgb 0x555555 font font_12
@@ -49,7 +49,7 @@ do for [i = 1:count] {
   set x2range [0:1]
   set xtics step(span) font font_11 offset 0, 0.4
   set format x is_lowest(i) ? "%g" : ""
-  set title sprintf("at %s, where the method as it is has %.1f %%", colon(ratio), whole) font font_12 offset 0, 0.3
+  set title sprintf("at %s; the unchanged method has %.1f %%", colon(ratio), whole) font font_12 offset 0, 0.3
   set arrow 1 from 0, graph 0 to 0, graph 1 nohead linecolor rgb 0x333333 back
   set label 5 "← worse  " at 0, graph 1 offset 0, 0.5 right font font_10 textcolor rgb 0x555555
   set label 6 "  better →" at 0, graph 1 offset 0, 0.5 left font font_10 textcolor rgb 0x555555

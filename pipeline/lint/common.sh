@@ -52,7 +52,7 @@ clang_tool() { # format or tidy
       return
     fi
   done
-  skip "as it needs clang-$1 $clang_version, which Debian 12 has; what would be found by others differs"
+  skip "because it needs clang-$1 $clang_version of Debian 12; other versions find other things"
 }
 
 # A folder that is configured but never built, to know how each file is compiled. Clang can neither read GCC's

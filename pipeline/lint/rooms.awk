@@ -41,7 +41,7 @@ FNR == 1 {
   if (!(other in row) && index(" " folders, " " other " ")) next # reported above, once
   includes = "includes \"" quoted[2] "\""
   if (!(other in row))
-    finding(includes ", which names no room of CONTRIBUTING.md", "write it from the room on, \"" room "/...\"")
+    finding(includes ", which does not name a room of CONTRIBUTING.md", "write it from the room on, \"" room "/...\"")
   else if (row[other] < row[room])
     finding(includes ", but " room " stands below " other, "move what both need to " room " or below")
   else if (row[other] == row[room])

@@ -3,7 +3,7 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 
-command -v shellcheck >/dev/null || skip "as shellcheck is not installed"
+command -v shellcheck >/dev/null || skip "because shellcheck is not installed"
 # It exits with 1 after findings, and with higher codes if it could not check.
 files_matching '\.(sh|sbatch)$|^(\.ci/run|packaging/piae-dt)$' "$@" |
   { xargs --no-run-if-empty shellcheck --external-sources --format=gcc || (($? == 123)); } |

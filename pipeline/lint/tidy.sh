@@ -63,6 +63,6 @@ fi
 printf '%s\n' "${files[@]}" | nl -w1 -s' ' | xargs -P "$cores" -L 1 bash -c 'check "$@"' check
 
 left_out=$(find $results -name '*.left_out' | wc -l)
-((left_out == 0)) || say "$left_out of ${#files[@]} files did not fit into three minutes; LINT=all looks at all"
+((left_out == 0)) || say "$left_out of ${#files[@]} files did not fit into three minutes; LINT=all checks all"
 # A finding in a header appears once for each file that includes the header.
 cat $results/*.out | sed "s,^$PWD/,," | sed -nE 's/^([^: ]+:[0-9]+):[0-9]+: (error|warning): /\1: /p' | sort -u

@@ -6,7 +6,7 @@
 source "${0%/*}/common.sh"
 
 log=build/.ninja_log
-[[ -f $log ]] || skip "as nothing was built with ninja; \`make build\` does"
+[[ -f $log ]] || skip "because nothing was built with ninja; run \`make build\`"
 
 # Lists the units of several files with their number of files. All other objects have one file.
 files_of_units() {

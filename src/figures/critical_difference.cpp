@@ -70,7 +70,7 @@ class RankRows {
 Numbers critical_differences(Source& /*source*/, const report::ClassifierRows& shown) {
   const report::RankTable table = report::rank_methods(shown.rows);
   if (table.ratios.empty()) {
-    throw LeftOut("less than two methods, ceilings aside, have the same ratio");
+    throw LeftOut("fewer than two methods, without ceilings, have the same ratio");
   }
   RankRows rows;
   for (const auto& [column, ranks] : table.ratios) rows.add(column.ratio, table.methods, ranks);

@@ -45,9 +45,8 @@ std::vector<run::Combination> cells_with_features(const Source& source) {
     }
   }
   if (cells.empty()) {
-    throw Error(Exit::input_missing, "no features.h5 is kept of any cell of seed " +
-                                         std::to_string(source.shown_seed()) +
-                                         "; `make all` keeps some");
+    throw Error(Exit::input_missing, "there is no features.h5 for any cell of seed " +
+                                         std::to_string(source.shown_seed()) + "; run `make all`");
   }
   return cells;
 }

@@ -47,7 +47,7 @@ Numbers gains_of(const report::ClassifierRows& shown, Group group) {
     return std::ranges::find(methods, row.method) == methods.end() &&
            !augment::is_ceiling(row.method);
   });
-  if (rows.empty()) throw LeftOut("the run has no method beside none that it shows");
+  if (rows.empty()) throw LeftOut("the run has no method other than none to show");
   return gain_numbers(rows, "gain");
 }
 

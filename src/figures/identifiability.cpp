@@ -10,12 +10,13 @@ namespace {
 void require_simulated(const Source& source) {
   const auto file = source.layout().known_windows(source.shown_seed());
   if (!signal::read_window_set({file, "windows"}).parameters.empty()) return;
-  throw LeftOut("the true stiffness and damping are known of simulated windows alone");
+  throw LeftOut("the true stiffness and damping are known only for simulated windows");
 }
 
 void require_table(const std::filesystem::path& file) {
   if (std::filesystem::exists(file)) return;
-  throw LeftOut("not yet compared with the truth (make identify): no " + file.filename().string());
+  throw LeftOut("not yet compared with the true values, run `make identify`: no " +
+                file.filename().string());
 }
 
 std::string r2_of(const StoredTable& agreement, const std::string& method,

@@ -52,7 +52,7 @@ std::vector<MethodDiagnoses> diagnoses_with_most_windows(const Source& source) {
       if (belong_together(record, all.front().seeds.front())) continue;
       throw Error(Exit::bad_input,
                   source.layout().diagnosis(cell.method, cell.ratio, record.seed).string() +
-                      ": its classes or its split are not those of the others");
+                      ": its classes or its split differ from those of the others");
     }
   }
   return all;

@@ -55,7 +55,8 @@ ConditionSets read_sets(const Source& source) {
   const run::Layout& layout = source.layout();
   WindowSet real = read_windows(layout.real_windows(source.shown_seed()), signal::Role::hidden);
   if (!signal::is_transfer(real.info.conditions)) {
-    throw LeftOut(real.info.name + " has no [transfer]: faults are tested where they are known");
+    throw LeftOut(real.info.name +
+                  " has no [transfer]: faults are tested in the condition that they are known in");
   }
   WindowSet known =
       read_windows_with(real, layout.known_windows(source.shown_seed()), signal::Role::known);

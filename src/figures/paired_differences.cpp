@@ -49,8 +49,8 @@ void add_seeds(Numbers& numbers, const Comparison& comparison) {
 Numbers paired_differences(Source& /*source*/, const report::ClassifierRows& shown) {
   const report::Comparisons comparisons = report::compare_methods(shown.rows, "");
   if (comparisons.rows.empty()) {
-    throw LeftOut("neither " + augment::paper_method() +
-                  " nor a method of this project is there to be compared with others");
+    throw LeftOut("the run has neither " + augment::paper_method() +
+                  " nor a method of this project to compare with others");
   }
   const std::string& against = comparisons.against;
   Numbers numbers({"method", "ceiling", "ratio", "against", "seed", "difference", "low", "high",

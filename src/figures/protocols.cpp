@@ -48,13 +48,13 @@ Numbers protocols(Source& source) {
   const run::Layout counterpart = here.blocked();
   const auto rows = rows_of_side(here, counterpart, source.grid().dataset);
   if (rows.empty()) {
-    throw LeftOut("there is no run with the other split (make contrast)");
+    throw LeftOut("there is no run with the other split; run `make contrast`");
   }
   const std::string own = protocol_of(here, rows.front());
   const std::string other = protocol_of(counterpart, rows.front());
   if (own == other) {
     throw Error(Exit::bad_input, counterpart.folder().string() + ": its split is " + other +
-                                     ", as that of the run itself");
+                                     ", like that of the run itself");
   }
   Numbers numbers({"method", "ceiling", "ratio", "protocol", "seed", "accuracy", "low", "high"});
   add_side(numbers, rows, own);

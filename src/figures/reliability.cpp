@@ -57,7 +57,7 @@ Numbers reliabilities(Source& source, const report::ClassifierRows& shown) {
     ranks_answers |= scoring::ranks_answers(judgements);
     add_bins(numbers, row, judgements);
   }
-  if (!ranks_answers) throw LeftOut(shown.classifier + " names a class and not how sure it is");
+  if (!ranks_answers) throw LeftOut(shown.classifier + " does not report a confidence");
   return numbers;
 }
 

@@ -107,7 +107,7 @@ scoring::DiagnosisRecord Source::features(const run::Combination& cell, std::int
   const artefact::Reader reader(layout_.features(cell.method, cell.ratio, seed), "diagnosis");
   scoring::DiagnosisRecord record = read(reader, cell, seed);
   if (!record.features) {
-    reader.refuse("/features", "is missing; diagnose --keep-features stores it");
+    reader.refuse("/features", "is missing; run diagnose with --keep-features");
   }
   return record;
 }

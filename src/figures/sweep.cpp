@@ -38,7 +38,7 @@ Tried tried_in(const Source& source) {
       tried.cells.insert("sweep/" + entry.path().filename().string());
     }
   }
-  if (tried.cells.empty()) throw LeftOut("there is no sweep (make sweep)");
+  if (tried.cells.empty()) throw LeftOut("there is no sweep; run `make sweep`");
   return tried;
 }
 
@@ -60,7 +60,7 @@ SweepPoint point_of(const artefact::Reader& model, const std::string& cell) {
     }
   }
   model.refuse("/provenance/options",
-               "has no setting '" + name + "', for which its folder is named");
+               "does not have the setting '" + name + "' of its folder's name");
 }
 
 /// Orders factors as in Fig. 19, then others; values ascend, words after numbers.

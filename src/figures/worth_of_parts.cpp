@@ -89,8 +89,8 @@ std::vector<Picture> worth_of_parts(Source& source) {
     pictures.push_back({.part = method, .numbers = numbers_of(source, sweep)});
   }
   if (pictures.empty()) {
-    throw LeftOut("of no method but " + augment::paper_method() +
-                  " was a setting moved (make sweep)");
+    throw LeftOut("no method other than " + augment::paper_method() +
+                  " has a sweep; run `make sweep` with others in METHODS");
   }
   return pictures;
 }

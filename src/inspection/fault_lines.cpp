@@ -176,7 +176,7 @@ std::string line_name(Defect fault_type) {
     case Defect::other:
       break;
   }
-  throw std::logic_error("what is no defect of the bearing has no line");
+  throw std::logic_error("only defects of the bearing have a line");
 }
 
 FaultLines fault_lines(const EnvelopeSpectrum& spectrum, const signal::DatasetInfo& info,

@@ -44,7 +44,7 @@ void add_odd(const RecordCheck& record, Count count, const std::string& what,
 void add_odd_files(const RecordCheck& record, std::vector<std::string>& lines) {
   if (record.files.size() < 2) return;
   add_odd(record, &FileCheck::samples, "samples",
-          "they may be cut off, or of other settings of the recorder", lines);
+          "they may be cut off or recorded with other settings", lines);
   add_odd(record, &FileCheck::columns, "columns", "the variable may be another channel there",
           lines);
 }

@@ -21,9 +21,9 @@ std::string shown_line(const FaultLine& line) {
 
 /// Returns why a line does not stand out.
 std::string reason(const FaultLine& line) {
-  if (*line.db <= line.noise_db) return fmt::format("noise alone reaches {:.1f}", line.noise_db);
+  if (*line.db <= line.noise_db) return fmt::format("noise alone reaches {:.1f} dB", line.noise_db);
   if (line.harmonics_above_noise < 2) return "only one of its harmonics does";
-  return fmt::format("{:.0f} % of the places where no fault has a line do as well",
+  return fmt::format("{:.0f} % of the frequencies without a fault line stand out as far",
                      100 * line.share_elsewhere);
 }
 
@@ -41,14 +41,14 @@ std::string oddity_of_fault(const RecordCheck& record, signal::Defect defect) {
   if (first == &own) return {};
   std::string line = fmt::format("{}: ", place_of(record.source));
   if (own.stands_out) {
-    line += fmt::format("{} stands out farther than {}, the line of its class", shown_line(*first),
+    line += fmt::format("{} stands out more than {}, the line of its class", shown_line(*first),
                         shown_line(own));
   } else {
     line += fmt::format("{}, the line of its class, does not stand out: {}", shown_line(own),
                         reason(own));
     if (first != nullptr) line += fmt::format("; {} does", shown_line(*first));
   }
-  return line + "; label, speed or rate may be wrong, or the fault stays hidden, as some do";
+  return line + "; the label, speed or rate may be wrong, or the fault is one that hides its line";
 }
 
 /// Returns a clause with the weakest such line of faulty records, for comparison; empty without
@@ -61,7 +61,7 @@ std::string measure_of(const DatasetInfo& info, const std::vector<RecordCheck>& 
     const FaultLine& line = line_of(record.lines, fault_type);
     if (line.db && (!weakest || *line.db < *weakest)) weakest = line.db;
   }
-  return weakest ? fmt::format(", the weakest record of such a fault {:.1f}", *weakest) : "";
+  return weakest ? fmt::format(", the weakest record of such a fault {:.1f} dB", *weakest) : "";
 }
 
 void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& records,
@@ -71,19 +71,19 @@ void add_healthy_lines(const DatasetInfo& info, const std::vector<RecordCheck>& 
     if (!healthy || !has_lines(record)) continue;
     const FaultLine* first = farthest(record.lines);
     if (first == nullptr) continue;
-    lines.push_back(fmt::format(
-        "{}: healthy, but {} stands out: noise alone reaches {:.1f}{}; the label may be wrong, or "
-        "the bearing not quite sound",
-        place_of(record.source), shown_line(*first), first->noise_db,
-        measure_of(info, records, first->fault_type)));
+    lines.push_back(
+        fmt::format("{}: healthy, but {} stands out: noise alone reaches {:.1f} dB{}; the label "
+                    "may be wrong, or the bearing may be slightly damaged",
+                    place_of(record.source), shown_line(*first), first->noise_db,
+                    measure_of(info, records, first->fault_type)));
   }
 }
 
 /// Reports once that most faulty records miss their line, because they share the cause.
 std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_t candidates) {
   return fmt::format(
-      "only {} of {} faulty records show the line of their class best (not {}): shaft_speed_rpm, "
-      "sample_rate_hz or [bearing] may be wrong, or the labels",
+      "only {} of {} faulty records show the line of their class most clearly (not {}); "
+      "shaft_speed_rpm, sample_rate_hz, [bearing] or the labels may be wrong",
       candidates - odd.size(), candidates, names_of(odd));
 }
 
@@ -91,9 +91,8 @@ std::string shared_oddity(const std::vector<const RecordCheck*>& odd, std::size_
 std::string shared_factor(const CommonFactor& common, std::size_t candidates) {
   const signal::RecordSource& first = common.records.front()->source;
   return fmt::format(
-      "{} of {} faulty records show the line of their class at {:.3g} times its place ({}): for "
-      "{}, "
-      "shaft_speed_rpm = {:.4g} in place of {:g} would fit, or sample_rate_hz = {:.4g} in place of "
+      "{} of {} faulty records show the line of their class at {:.3g} times its frequency ({}); "
+      "for {}, try shaft_speed_rpm = {:.4g} instead of {:g}, or sample_rate_hz = {:.4g} instead of "
       "{:g}",
       common.records.size(), candidates, common.factor, names_of(common.records), first.name,
       first.shaft_speed_rpm * common.factor, first.shaft_speed_rpm,

@@ -29,7 +29,7 @@ constexpr double spectrum_width = 540;
 
 void draw_legend(Svg& svg, const FaultLines& lines, const std::string& dataset) {
   svg.text({wave_left, 24}, dataset + ": recordings", Anchor::start, 16, true);
-  svg.text({wave_left, 46}, fmt::format("first {:g} s about the mean", shown_s));
+  svg.text({wave_left, 46}, fmt::format("first {:g} s, mean removed", shown_s));
   svg.text({spectrum_left, 46}, "envelope spectrum, dB over its median");
   draw_line_legend(svg, lines, {spectrum_left, 24}, "the record's class");
 }

@@ -22,8 +22,8 @@ void add_clipped(const RecordCheck& record, const std::string& place, Lines& lin
   const Stretches& clipped = record.clipped;
   if (clipped.count > 0) {
     lines.push_back(fmt::format(
-        "{}: clipped: {} samples in {} stretches lie flat on the highest or lowest value (the "
-        "longest, {} samples on {:g} from sample {}): the impacts that show a fault are cut off",
+        "{}: clipped: {} samples in {} stretches are flat at the highest or lowest value (the "
+        "longest: {} samples at {:g} from sample {}); the impacts that show a fault are cut off",
         place, clipped.samples, clipped.count, clipped.longest, clipped.value,
         clipped.longest_first));
     return;
@@ -35,18 +35,18 @@ void add_clipped(const RecordCheck& record, const std::string& place, Lines& lin
   if (cut.on_lowest > 0) {
     values += fmt::format("{}the lowest ({:g})", values.empty() ? "" : " or ", cut.lowest);
   }
-  lines.push_back(fmt::format(
-      "{}: clipped: {} samples, {:.2g} % of the record, lie exactly on {}, more than any peak "
-      "leaves there that is not cut: the impacts that show a fault are cut off",
-      place, cut.samples(), percent(cut.samples(), record.file_samples), values));
+  lines.push_back(
+      fmt::format("{}: clipped: {} samples, {:.2g} % of the record, lie exactly on {}, more than "
+                  "unclipped peaks would leave there; the impacts that show a fault are cut off",
+                  place, cut.samples(), percent(cut.samples(), record.file_samples), values));
 }
 
 void add_held(const RecordCheck& record, const std::string& place, Lines& lines) {
   const Stretches& held = record.held;
   if (held.count == 0) return;
   lines.push_back(fmt::format(
-      "{}: stands still at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
-      "{:.2g} % of the record: windows from there show no vibration",
+      "{}: constant at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
+      "{:.2g} % of the record; windows from there do not show vibration",
       place, held.value, held.longest,
       static_cast<double>(held.longest) / record.source.sample_rate_hz, held.longest_first,
       held.count, held.count == 1 ? "" : "es", percent(held.samples, record.file_samples)));
@@ -55,14 +55,14 @@ void add_held(const RecordCheck& record, const std::string& place, Lines& lines)
 void add_lone(const RecordCheck& record, const std::string& place, Lines& lines) {
   const LoneSamples& lone = record.lone;
   if (lone.count == 0) return;
-  const std::string more =
-      lone.count == 1 ? " stands" : fmt::format(" and {} more stand", lone.count - 1);
-  lines.push_back(fmt::format(
-      "{}: sample {} ({:g}){} alone: the neighbours are ordinary, and no other sample is farther "
-      "than {:.3g} from the mean: a spike of converter or cable, which sets the level of its "
-      "window; "
-      "replace it by the mean of its neighbours",
-      place, lone.farthest, lone.value, more, lone.others));
+  const std::string more = lone.count == 1
+                               ? " is an isolated spike"
+                               : fmt::format(" and {} more are isolated spikes", lone.count - 1);
+  lines.push_back(
+      fmt::format("{}: sample {} ({:g}){} from the converter or cable: the neighbours are normal, "
+                  "and no other sample is farther than {:.3g} from the mean; a spike sets the "
+                  "level of its window, so replace it by the mean of its neighbours",
+                  place, lone.farthest, lone.value, more, lone.others));
 }
 
 void add_repeats(const RecordCheck& record, const std::string& place, Lines& lines) {
@@ -71,9 +71,8 @@ void add_repeats(const RecordCheck& record, const std::string& place, Lines& lin
   const std::string more =
       found.count == 1 ? "" : fmt::format(" (the longest of {} such stretches)", found.count);
   lines.push_back(fmt::format(
-      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.2g} % of the record: test "
-      "windows "
-      "then equal training windows, with PROTOCOL=blocked, too; cut the file there",
+      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.2g} % of the record; test "
+      "windows then equal training windows, even with PROTOCOL=blocked; cut the file there",
       place, found.first, found.first + found.longest - 1, found.original,
       found.original + found.longest - 1, more, percent(found.samples, record.file_samples)));
 }
@@ -100,8 +99,8 @@ void add_dropouts(const RecordCheck& record, const std::string& place, Lines& li
   }
   if (found.gaps == 0) return;
   lines.push_back(fmt::format(
-      "{}: the times in column {} jump {}: {} sample{} missing, the longest gap, of {}, follows "
-      "sample {}: a window across a gap is not one stretch of signal; cut the file there",
+      "{}: the times in column {} jump {}: {} sample{} missing; the longest gap, of {}, follows "
+      "sample {}; a window across a gap is not continuous; cut the file there",
       place, found.column, times_text(found.gaps), found.missing,
       found.missing == 1 ? " is" : "s are", found.longest, found.longest_after));
 }
@@ -111,11 +110,11 @@ void add_steps_back(const RecordCheck& record, const std::string& place, Lines& 
   const auto file = std::ranges::find_if(
       record.files, [](const FileCheck& one) { return one.times.steps_back > 0; });
   if (file == record.files.end()) return;
-  lines.push_back(fmt::format(
-      "{}: the times in column {}{} go back {}, first after sample {}: several recordings seem to "
-      "stand one behind the other; cut the file there",
-      place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
-      times_text(file->times.steps_back), file->times.first_back_after));
+  lines.push_back(
+      fmt::format("{}: the times in column {}{} go back {}, first after sample {}: several "
+                  "recordings seem to follow each other; cut the file there",
+                  place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
+                  times_text(file->times.steps_back), file->times.first_back_after));
 }
 
 /// Adds a warning if times step unevenly.
@@ -123,11 +122,11 @@ void add_uneven(const RecordCheck& record, const std::string& place, Lines& line
   const auto file =
       std::ranges::find_if(record.files, [](const FileCheck& one) { return one.times.is_uneven; });
   if (file == record.files.end()) return;
-  lines.push_back(fmt::format(
-      "{}: the times in column {}{} step unevenly, by {:.3g} in the mean: spectra of such samples "
-      "are wrong; record at a steady rate, or interpolate to one",
-      place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
-      file->times.mean_step));
+  lines.push_back(
+      fmt::format("{}: the times in column {}{} step unevenly, by {:.3g} on average; spectra of "
+                  "such samples are wrong; record at a constant rate, or resample to one",
+                  place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
+                  file->times.mean_step));
 }
 
 /// Adds a warning if the times contradict sample_rate_hz. Even times with a known unit do not get
@@ -141,8 +140,7 @@ void add_other_rate(const RecordCheck& record, const std::string& place, Lines& 
     if (!other) continue;
     lines.push_back(fmt::format(
         "{}: the times in column {}{} step by {:.5g}, {} {:.5g} Hz in {}, but sample_rate_hz = "
-        "{:g}: "
-        "all fault frequencies are then off by that factor; correct one of them",
+        "{:g}; all fault frequencies are off by that factor; correct the times or the rate",
         place, times.column, record.files.size() > 1 ? " of " + file.name : "",
         times.step > 0 ? times.step : times.mean_step,
         times.unit_s > 0 ? "which is" : "which would be", other->hz, raw::unit_name(other->unit_s),
@@ -157,14 +155,14 @@ std::vector<std::string> sample_warnings(const RecordCheck& record) {
   const std::string place = place_of(record.source);
   if (record.goes_one_way) {
     return {place +
-            ": the samples only rise or only fall: a time or a counter, no acceleration; name "
+            ": the samples only rise or only fall, so they are a time or a counter, not an "
+            "acceleration; name "
             "another variable"};
   }
   if (record.few_values) {
     return {
-        fmt::format("{}: takes {} distinct values only: a dead sensor, or a gain so low that "
-                    "rounding hides the "
-                    "vibration",
+        fmt::format("{}: has only {} distinct values; the sensor is dead, or the gain is so low "
+                    "that rounding hides the vibration",
                     place, *record.few_values)};
   }
   Lines lines;

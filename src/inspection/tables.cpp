@@ -23,7 +23,7 @@ constexpr std::size_t widest_file = 48;
 constexpr std::size_t narrowest_file = 8;
 
 const char* const lines_note =
-    "dB: how far the line and its 2nd and 3rd harmonic stand out of the record's envelope "
+    "dB: mean height of the line and its 2nd and 3rd harmonics above the floor of the envelope "
     "spectrum\n"
     "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n\n";
 
@@ -156,7 +156,7 @@ std::string tables_of(const signal::Description& description, const DatasetCheck
   const bool any = std::ranges::any_of(
       check.records, [](const RecordCheck& record) { return record.problem.empty(); });
   return fmt::format(
-      "{}: all brought to {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
+      "{}: all records at {:g} Hz, unit_m_per_s2 = {:g}, windows of {} samples\n\n{}\n{}{}{}",
       info.name, info.sample_rate_hz, info.unit_m_per_s2,
       signal::split_options_of(description).window, recordings_text(description, check),
       any && info.has_bearing ? lines_table(info, check) : "", classes_table(info, check),

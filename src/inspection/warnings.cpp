@@ -27,8 +27,7 @@ double turns_in(double seconds, double shaft_speed_rpm) { return seconds * shaft
 
 std::string hz_hint(double rpm) {
   return fmt::format(
-      " looks like Hz, which would be {:g} rpm: all fault frequencies would then be 60 times too "
-      "low",
+      " looks like Hz, which is {:g} rpm; if so, all fault frequencies are 60 times too low",
       rpm * 60);
 }
 
@@ -50,11 +49,11 @@ void add_raceways(const bearing::Geometry& g, Lines& lines) {
   if (!mismatch) return;
   std::string what = "do not fit the pitch diameter";
   if (mismatch->too_wide) what = "look like bore and outside diameter";
-  if (mismatch->too_tight) what = "look like those of the shoulders beside the raceways";
+  if (mismatch->too_tight) what = "look like the diameters of the shoulders next to the raceways";
   lines.push_back(fmt::format(
       "[bearing] inner_raceway_mm = {:g} and outer_raceway_mm = {:g} {}: half their difference is "
-      "{:g} mm for a ball of {:g} mm, their mean {:g} mm for a pitch of {:g} mm; without these two "
-      "keys {:g} and {:g} are taken; the simulated contact and its stiffness depend on them",
+      "{:g} mm for a ball of {:g} mm, their mean {:g} mm for a pitch of {:g} mm; remove both keys "
+      "to use {:g} and {:g}; the simulated contact and its stiffness depend on them",
       g.inner_raceway_mm, g.outer_raceway_mm, what, mismatch->gap_mm, g.ball_diameter_mm,
       mismatch->mean_mm, g.pitch_diameter_mm, g.pitch_diameter_mm - g.ball_diameter_mm,
       g.pitch_diameter_mm + g.ball_diameter_mm));
@@ -75,8 +74,8 @@ void add_rate(const Description& description, Lines& lines) {
   if (turns < 1) {
     lines.push_back(fmt::format(
         "sample_rate_hz = {:g}: a window of {} samples ({:.3g} s) holds {:.2g} turns of the shaft "
-        "at {:g} rpm ({}): not every window then sees what happens once a turn; a lower rate of "
-        "the dataset makes windows longer",
+        "at {:g} rpm ({}), so a window may miss what happens once a turn; lower the data set's "
+        "rate for longer windows",
         info.sample_rate_hz, window, window_s, turns, slowest.shaft_speed_rpm, slowest.name));
   }
   if (!info.has_bearing) return;
@@ -85,8 +84,7 @@ void add_rate(const Description& description, Lines& lines) {
   if (info.sample_rate_hz / 2 <= bpfi_hz) {
     lines.push_back(
         fmt::format("sample_rate_hz = {:g}: half of it does not reach BPFI, {:.4g} Hz at {:g} rpm "
-                    "({}), so that "
-                    "the strikes of a defect cannot be told apart; is the rate in kHz?",
+                    "({}), so the impacts of a defect cannot be separated; is the rate in kHz?",
                     info.sample_rate_hz, bpfi_hz, fastest.shaft_speed_rpm, fastest.name));
   }
 }
@@ -98,15 +96,16 @@ std::string length_at_rate(const RecordCheck& record) {
 
 std::string too_long(const RecordCheck& record) {
   return fmt::format(
-      "{} are {:.1f} hours, too long for one run at a steady speed: is the rate in kHz? Not "
-      "resampled, and not asked for lines",
+      "{} are {:.1f} hours, too long for one run at a constant speed; is the rate in kHz? The "
+      "record is not resampled, and its lines are not measured",
       length_at_rate(record), record.length_s() / 3600);
 }
 
 std::string too_short(const RecordCheck& record) {
   const double piece_s = record.longest_piece_s();
   return fmt::format(
-      "{} are {:.3g} s{}, {:.2g} turns of the shaft: fewer than {:g} show no rhythm; is the rate "
+      "{} are {:.3g} s{}, {:.2g} turns of the shaft: fewer than {:g} do not show a fault line; is "
+      "the rate "
       "too "
       "high?",
       length_at_rate(record), piece_s, record.files.size() > 1 ? " a file" : "", record.turns(),
@@ -139,7 +138,7 @@ void add_low_rates(const DatasetInfo& info, const std::vector<RecordCheck>& reco
     const double rate_hz = record.source.sample_rate_hz;
     return fmt::format(
         "{}: sample_rate_hz = {:g} is below the data set's {:g}: nothing above {:g} Hz exists in "
-        "this record, and where other classes have more, that alone tells them apart; set the data "
+        "this record, which alone distinguishes it from classes with a higher rate; set the data "
         "set's sample_rate_hz to {:g} or less",
         place_of(record.source), rate_hz, info.sample_rate_hz, rate_hz / 2, rate_hz);
   };
@@ -168,9 +167,9 @@ void add_levels(const DatasetInfo& info, const std::vector<RecordCheck>& records
   const auto text = [&](const RecordCheck& record) {
     const double times = record.level->rms / usual;
     return fmt::format(
-        "{}: its RMS, {:.4g}, is {} times that of the healthy records, {:.4g}, and no fault "
-        "changes it so much: one of them has another unit or scale; features that depend on the "
-        "level would show that, not the fault",
+        "{}: its RMS, {:.4g}, is {} times that of the healthy records, {:.4g}, but no fault "
+        "changes it so much; one of them has another unit or scale, which features of the level "
+        "would show instead of the fault",
         place_of(record.source), record.level->rms,
         times > 1 ? fmt::format("{:.0f}", times) : fmt::format("{:.2g}", times), usual);
   };
@@ -180,14 +179,13 @@ void add_levels(const DatasetInfo& info, const std::vector<RecordCheck>& records
 void add_stride(const Description& description, const ClassCheck& found, Lines& lines) {
   if (found.stride == 0 || found.stride >= sensible_stride) return;
   const std::size_t window = signal::split_options_of(description).window;
-  lines.push_back(fmt::format(
-      "class {}: its recordings are so short that windows of {} samples start every {}: they "
-      "overlap by {:.1f} %, and with PROTOCOL=random {:.0f} % of the test windows (A) share "
-      "samples "
-      "with a training window: the accuracy says little of new recordings; record longer, or take "
-      "PROTOCOL=blocked",
-      description.info.class_of(found.label).name, window, found.stride, 100 * found.overlap,
-      100 * found.shared_with_training));
+  lines.push_back(
+      fmt::format("class {}: its recordings are so short that windows of {} samples start every {} "
+                  "and overlap by {:.1f} %; with PROTOCOL=random {:.0f} % of the test windows (A) "
+                  "share samples with a training window, so the accuracy says little about new "
+                  "recordings; record longer, or use PROTOCOL=blocked",
+                  description.info.class_of(found.label).name, window, found.stride,
+                  100 * found.overlap, 100 * found.shared_with_training));
 }
 
 }  // namespace

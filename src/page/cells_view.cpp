@@ -125,7 +125,7 @@ Html table_of_builds(const Builds& builds) {
   for (const auto& [build, count] : builds) {
     table.row({build.version, build.libraries, build.processor, report::count_cell(count)});
   }
-  return html(report::Section{"builds", "What made the cells",
+  return html(report::Section{"builds", "Builds and machines of the cells",
                               "From /provenance of every diagnosis.h5 and score.h5.", table});
 }
 
@@ -148,7 +148,7 @@ Html table_of_records(const std::vector<DatasetContents>& datasets) {
     }
   }
   if (table.rows().empty()) return {};
-  return html(report::Section{"records", "What it was made from",
+  return html(report::Section{"records", "Source files",
                               "From /provenance/inputs of each data set’s records.h5.", table});
 }
 
@@ -163,16 +163,16 @@ Html cells_view(const std::vector<DatasetContents>& datasets) {
     return element("p",
                    fmt::format(
                        "The means above were made from {} cells. A row for each would make this "
-                       "page too large to send, so there is one for all seeds of a diagnosis. "
-                       "Each cell lies in DATASET/seedN/METHOD/: score.h5, and below it in "
+                       "page too large to send, so one row covers all seeds of a diagnosis. Each "
+                       "cell lies in DATASET/seedN/METHOD/: score.h5, and below it in "
                        "RATIO/CLASSIFIER/ diagnosis.h5. The program verify checks their digests.",
                        count)) +
            in_details(combined_table(datasets), "Diagnoses by method, classifier and ratio");
   }
-  return element("p", fmt::format("What the means above were made from. A digest is the first {} "
-                                  "of 64 digits of the SHA-256 of an artefact’s content; the "
-                                  "program verify checks it.",
-                                  shown_digits)) +
+  return element("p", fmt::format(
+                          "The cells behind the means above. A digest is the first {} of 64 digits "
+                          "of the SHA-256 of an artefact’s content; the program verify checks it.",
+                          shown_digits)) +
          in_details(diagnoses_table(datasets), "Diagnoses") +
          in_details(scores_table(datasets), "Scores");
 }
@@ -182,9 +182,9 @@ Html provenance_view(const std::vector<DatasetContents>& datasets) {
   Html view;
   if (builds.size() > 1) {
     view += element(
-        "p", "The cells were made by " + report::counted(builds.size(), "different build") +
-                 " or machines: numbers of different ones differ by rounding, which training makes "
-                 "grow.");
+        "p",
+        "The cells were made by " + report::counted(builds.size(), "different build") +
+            " or machines: their numbers differ by rounding errors, which training amplifies.");
   }
   if (!builds.empty()) view += table_of_builds(builds);
   return view + table_of_records(datasets);

@@ -40,8 +40,9 @@ std::string read_inlined(const fs::path& file, const std::string& element) {
   std::string text = text::read_file(file);
   std::erase(text, '\r');
   if (text.find("</" + element) != std::string::npos) {
-    throw Error(Exit::bad_input, file.string() + ": holds '</" + element +
-                                     "', which ends it within the page; write it in two parts");
+    throw Error(Exit::bad_input,
+                file.string() + ": contains '</" + element +
+                    "', which would end it early in the page; split the text in two");
   }
   return text;
 }

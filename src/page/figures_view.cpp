@@ -81,8 +81,8 @@ std::map<std::string, Reason> reasons_in_log(const fs::path& run, const fs::path
 }
 
 std::string why_not_drawn(bool has_numbers) {
-  return has_numbers ? "its numbers are there, but gnuplot has not drawn them"
-                     : "make figures has not been run since its cells are there";
+  return has_numbers ? "its numbers exist, but gnuplot has not drawn them"
+                     : "make figures has not run since its cells exist";
 }
 
 void take(std::vector<Attachment*>& attachments, std::size_t& left) {
@@ -200,7 +200,7 @@ Html list_of_left_out(const std::vector<FigureContents>& figures) {
   const Html reasons = list_of_reasons(figures, true);
   if (reasons.empty()) return {};
   return element("div", {{"class", "quiet"}},
-                 element("p", "Left out, as this run is without what they show") + reasons);
+                 element("p", "Left out, because this run lacks what they show") + reasons);
 }
 
 Html list_of_contents(const std::string& dataset, const std::vector<FigureContents>& figures) {

@@ -95,7 +95,7 @@ constexpr std::array<StateWords, 5> words_of_states{{{"✖", "failed"},
                                                      {"✖", "refused"},
                                                      {"‖", "interrupted"},
                                                      {"‖", "running or killed"},
-                                                     {"○", "not begun"}}};
+                                                     {"○", "not started"}}};
 
 const StateWords& words_of(MissingState state) {
   return words_of_states.at(static_cast<std::size_t>(state));
@@ -193,7 +193,7 @@ Html problems_html(const std::vector<DatasetContents>& datasets) {
   if (!groups.empty()) {
     content +=
         table_of_missing(groups) +
-        element("p", "No mean below includes them. The same make command goes on from here.");
+        element("p", "The means below do not include them. The same make command continues.");
   }
   return element("section", {{"class", "problems"}, {"aria-label", "What is missing"}}, content);
 }

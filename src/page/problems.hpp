@@ -33,7 +33,7 @@ std::string word_of(MissingState state);
 /// Returns the cells of a group: "vae and wgan-gp; 10:1 and 1:1; seeds 0 to 4".
 std::string cells_label(const MissingGroup& group);
 
-/// Returns "3 of 20 cells are missing: 1 failed, 2 not begun", or that none is missing.
+/// Returns "3 of 20 cells are missing: 1 failed, 2 not started", or that none is missing.
 std::string completeness(const std::vector<DatasetContents>& datasets);
 
 /// Returns the top of a page: what is missing and why, or that nothing is.

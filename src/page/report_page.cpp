@@ -141,8 +141,8 @@ Html settings_view(const std::vector<text::File>& files) {
     return element("p", "This run has no settings files: its steps were run by hand.");
   }
   Html all = element("p",
-                     "The settings files of the run (.settings/), with which its steps were run. "
-                     "The comments of pipeline/protocol.toml and pipeline/datasets/ give the "
+                     "The settings files of the run (.settings/), which its steps used. Comments "
+                     "in pipeline/protocol.toml and pipeline/datasets/ give the "
                      "source of each value.");
   for (const text::File& file : files) {
     all += element("details",
@@ -166,12 +166,11 @@ Html rest_of(const ReportContents& contents) {
          section("cells", "Cells", cells_view(contents.datasets)) +
          section("settings", "Settings", settings_view(contents.settings)) +
          section("provenance", "Provenance", provenance_view(contents.datasets)) +
-         element(
-             "footer",
-             element("p", {{"class", "quiet"}},
-                     Html("All tables: tables.md in the folder of each data set. When the steps "
-                          "ran and what they took, which differs from run to run: ") +
-                         file_link("run.html") + "."));
+         element("footer",
+                 element("p", {{"class", "quiet"}},
+                         Html("All tables: tables.md in the folder of each data set. Times and "
+                              "memory of the steps, which differ from run to run: ") +
+                             file_link("run.html") + "."));
 }
 
 /// Returns the page with `figures` instead of the figures of `contents`.
@@ -216,7 +215,7 @@ std::vector<std::string> lines_of_missing(const std::vector<DatasetContents>& da
   for (const MissingGroup& group : groups) {
     if (lines.size() == most_groups) {
       lines.push_back(
-          fmt::format("And {} more; report.html names all.", groups.size() - most_groups));
+          fmt::format("And {} more; report.html lists all.", groups.size() - most_groups));
       break;
     }
     const std::string why = group.reasons.empty() ? "" : ": " + group.reasons.front();
@@ -249,9 +248,9 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
   }
   std::vector<std::pair<std::string, std::string>> facts{
       {"What",
-       "A classifier (WDCNN, where no other is named) learns from healthy windows, the known "
-       "windows of each fault, where there are any, and windows that a method has generated. Its "
-       "accuracy is that on test windows."},
+       "A classifier (WDCNN unless another is named) learns from healthy windows, known windows of "
+       "each fault if there are any, and windows that a method generates. Accuracies are those on "
+       "test windows."},
       {report::counted(methods.size(), "method"), report::listed(methods)},
       {"Ratios", report::listed(ratio_labels(datasets))},
       {"Seeds", report::seed_list(seeds)},
@@ -314,7 +313,7 @@ std::string report_text(const ReportContents& contents) {
   std::string text = report::markdown(document);
   return text +
          "\nFigures, recall by class, every cell with its artefact, settings and provenance: "
-         "`report.html`.\nWhen the steps ran and what they took: `run.html`. All tables: "
+         "`report.html`.\nTimes and memory of the steps: `run.html`. All tables: "
          "`tables.md` of each data set.\n";
 }
 

@@ -40,8 +40,10 @@ bool was_only_identified(const run::Layout& layout) {
 bool is_reported(const run::Layout& layout) {
   if (!run::methods_started(layout).empty()) return !was_only_identified(layout);
   if (!layout.seeds().empty() || fs::exists(layout.folder() / "ingest.log")) {
-    spdlog::warn("{}: no method was begun, so the report leaves it out; --datasets asks for it",
-                 layout.folder().string());
+    spdlog::warn(
+        "{}: no method was started, so the report leaves it out; name it in --datasets to include "
+        "it",
+        layout.folder().string());
   }
   return false;
 }
@@ -56,11 +58,10 @@ std::vector<std::string> every_ratio() {
 
 void bind(const cli::Options& command, RequestedCells& requested) {
   command.add("--datasets", requested.datasets,
-              "Data sets, such as: cwru hit-sm; those that the folder holds where it is not given");
+              "Data sets, such as: cwru hit-sm; default: those in the folder");
   run::bind_started_cells(command, requested.cells);
   command.add("--leave-out", requested.leave_out,
-              "Files and folders that are out of date and not asked for, such as "
-              "cwru/seed1/smote: the report is made without them");
+              "Stale files and folders to leave out of the report, such as cwru/seed1/smote");
 }
 
 std::vector<std::string> RequestedCells::left_out_of(const std::string& dataset) const {
@@ -80,7 +81,7 @@ std::vector<std::string> datasets_of(const fs::path& run, const RequestedCells& 
   std::ranges::sort(datasets);
   if (datasets.empty()) {
     throw Error(Exit::input_missing,
-                run.string() + ": holds no cell of any data set; `make cells` makes some");
+                run.string() + ": holds no cell of any data set; run `make cells`");
   }
   return datasets;
 }

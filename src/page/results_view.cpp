@@ -13,7 +13,7 @@ namespace {
 
 using Sections = std::vector<report::Section>;
 
-Html no_diagnosis() { return element("p", "No diagnosis is there yet."); }
+Html no_diagnosis() { return element("p", "There is no diagnosis yet."); }
 
 /// Places tables next to each other if the window is wide enough.
 Html beside_each_other(const Sections& sections) {

@@ -184,17 +184,17 @@ void add_row(text::Table& table, const StepGroup& group) {
 
 report::Section table_of_groups(const std::vector<run::StepLog>& steps) {
   text::Table table({"stage", "steps", "not done", "elapsed, sum", "processor time, sum",
-                     "elapsed, mean", "elapsed, longest", "memory, most"},
+                     "elapsed, mean", "elapsed, longest", "memory, maximum"},
                     1);
   for (const StepGroup& group : step_groups(steps)) add_row(table, group);
   return {"stages", "Time and memory by stage",
-          "From the logs beside the artefacts: the lines “step: exit”, and “step: used”, which "
-          "older runs lack. Memory is what one step held at most.",
+          "From the logs next to the artefacts: the lines “step: exit” and “step: used”, which "
+          "older runs lack. Memory is the maximum of a single step.",
           table};
 }
 
 report::Section table_of_steps(const std::string& title, const Steps& steps) {
-  text::Table table({"log", "end", "begun", "elapsed", "processor time", "memory"}, 2);
+  text::Table table({"log", "end", "started", "elapsed", "processor time", "memory"}, 2);
   table.column({"reason"});
   for (const run::StepLog* step : steps) {
     const bool is_open = step->end == run::StepEnd::open;
@@ -224,13 +224,13 @@ std::string in_short(const std::vector<run::StepLog>& steps, const Steps& all) {
   for (const Session& session : sessions) wall_s += session.end_s - session.begin_s;
   std::string text = fmt::format("{} steps took {}", steps.size(), duration_label(wall_s));
   if (sessions.size() > 1) text += fmt::format(" in {} sessions", sessions.size());
-  text += fmt::format("; one after the other they would take {}", duration_label(elapsed_of(all)));
+  text += fmt::format("; one after another they would take {}", duration_label(elapsed_of(all)));
   if (const auto processor = processor_time_of(all)) {
     text += fmt::format(", of which {} is processor time", duration_label(*processor));
   }
   text += ".";
   if (const auto memory = memory_of(all)) {
-    text += fmt::format(" No step held more than {:.0f} MB of memory.", *memory);
+    text += fmt::format(" No step used more than {:.0f} MB of memory.", *memory);
   }
   return text;
 }
@@ -246,7 +246,7 @@ Html list_of_steps(const Steps& all) {
                        [](const run::StepLog* step) { return step->end != run::StepEnd::done; });
   const std::size_t shown = std::min(open.size(), most_listed_steps);
   const std::string what = fmt::format(
-      "{} steps are too many for a page: their logs lie beside what they made. {} are not done{}",
+      "{} steps are too many for a page: their logs are next to their outputs. {} are not done{}",
       all.size(), open.size(),
       shown < open.size() ? fmt::format(", of which {} follow.", shown) : ".");
   open.resize(shown);
@@ -256,17 +256,17 @@ Html list_of_steps(const Steps& all) {
 }
 
 Html content_of(const std::vector<run::StepLog>& steps) {
-  if (steps.empty()) return element("p", "No step of this run has left a log.");
+  if (steps.empty()) return element("p", "No step of this run has a log.");
   Steps all;
   for (const run::StepLog& step : steps) all.push_back(&step);
   const auto costs = cost_table(steps);
   return element("p", {{"class", "verdict"}}, in_short(steps, all)) +
          element("h2", "When the steps ran") +
-         element(
-             "p",
-             "A row for each stage, a bar for each step; what ran at the same time lies in lanes. "
-             "A step that is not done has a dashed border. Pauses of more than ten minutes are cut "
-             "out.") +
+         element("p",
+                 "One row for each stage, one bar for each step; steps that ran at the same time "
+                 "are in separate lanes. A step that is not done has a dashed border. Pauses of "
+                 "more than ten minutes are cut "
+                 "out.") +
          time_line(steps) + element("h2", "What they took") + html(table_of_groups(steps)) +
          (costs ? html(*costs) : Html()) + html(slowest_steps(all)) + list_of_steps(all);
 }
@@ -281,25 +281,25 @@ std::optional<report::Section> cost_table(const std::vector<run::StepLog>& steps
       datasets.push_back(step.place.dataset);
     }
   }
-  text::Table table({"method", "classifier", "ratio", "data set", "train it", "generate",
-                     "train and ask the classifier", "together"},
+  text::Table table({"method", "classifier", "ratio", "data set", "train generator", "generate",
+                     "train and test the classifier", "total"},
                     4);
   for (const std::string& dataset : datasets) add_costs(timed, dataset, table);
   if (table.rows().empty()) return std::nullopt;
   return report::Section{
-      "costs", "Processor time that each method takes of one seed, mean over the seeds",
-      "From the lines “step: used” of train.log, generate.log and diagnose.log beside the "
-      "artefacts, each with the most generated windows of its method and classifier. What has no "
-      "such line, as in older runs, has no time here, nor has a step that went on from a "
-      "checkpoint, of which the log has the last part alone.",
+      "costs", "Processor time of each method for one seed, mean over the seeds",
+      "From the lines “step: used” of train.log, generate.log and diagnose.log next to the "
+      "artefacts, each with the most generated windows of its method and classifier. Steps without "
+      "such a line, as in older runs, have no time here. Neither have steps that continued from a "
+      "checkpoint, because their logs cover only the last part.",
       table};
 }
 
 std::string run_page(const std::vector<run::StepLog>& steps, const Style& style) {
-  const Html header = element(
-      "header", element("h1", "How it ran") +
-                    element("p", Html("Times, and memory, of this very run. What it found: ") +
-                                     file_link("report.html") + "."));
+  const Html header =
+      element("header", element("h1", "How it ran") +
+                            element("p", Html("Times and memory of this run. Its results: ") +
+                                             file_link("report.html") + "."));
   return document("How it ran", style,
                   header + element("main", {{"id", "content"}}, content_of(steps)));
 }

@@ -249,7 +249,7 @@ Html time_line(const std::vector<run::StepLog>& steps) {
     y += row_height + row_space;
   }
   const std::string name =
-      "When each step ran, a row for each stage; the table below has the numbers";
+      "Time of each step, one row for each stage; the table below has the numbers";
   const std::string box = "0 0 " + position(picture_width) + " " + position(bottom + axis_height);
   return element(
       "div", {{"class", "scroll"}, {"role", "region"}, {"tabindex", "0"}, {"aria-label", name}},

@@ -191,7 +191,7 @@ std::string table_of(const std::vector<JobKind>& kinds) {
   }
   text += fmt::format("{:<10} {:>6} {:>6} {:>10} {:>10} {:>7} {:>11.2f}\n", "all", jobs, "", "", "",
                       steps, seconds / 3600);
-  return text + fmt::format("{} submissions, which ask for {:.1f} core-hours at most\n",
+  return text + fmt::format("{} submissions, which request at most {:.1f} core-hours\n",
                             kinds.size(), requested_hours);
 }
 

@@ -110,8 +110,9 @@ void add_contrasts(TableSteps& tables) {
     return found == parts.end() ? nullptr : &*found;
   };
   if (!has(tables.choice().classifiers, scoring::paper_classifier)) {
-    throw Error(Exit::usage, fmt::format("make contrast: CLASSIFIERS must have {}, the paper's",
-                                         scoring::paper_classifier));
+    throw Error(Exit::usage,
+                fmt::format("make contrast: CLASSIFIERS must include {}, the paper's classifier",
+                            scoring::paper_classifier));
   }
   for (const Part& part : parts) contrasts.of_protocols(part);
   const Part* const as_published = part_of("cwru-as-published");

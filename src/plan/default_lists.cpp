@@ -38,7 +38,8 @@ Words names_of_ratios() {
 Lists lists_of_transfer(const Experiment& experiment) {
   if (experiment.groups.empty()) {
     throw Error(Exit::usage,
-                "make transfer: [transfer] of pipeline/protocol.toml names no group of data sets");
+                "make transfer: [transfer] of pipeline/protocol.toml does not name a group of data "
+                "sets; add one");
   }
   Lists defaults;
   std::set<std::string> methods;

@@ -57,7 +57,7 @@ std::string shown(const std::string& value) {
 /// Returns why a setting makes a step due. An empty text stands for a setting that is not set.
 std::string changed_setting(const std::string& option, const std::string& value,
                             const std::string& was) {
-  if (option == "leave-out") return "other cells are left out, since they are out of date";
+  if (option == "leave-out") return "other cells are left out, because they are stale";
   if (value.empty()) return fmt::format("setting {} is not set, was {}", option, shown(was));
   if (was.empty()) return fmt::format("setting {} is {}, was not set", option, shown(value));
   return fmt::format("setting {} is {}, was {}", option, shown(value), shown(was));
@@ -88,13 +88,13 @@ std::size_t count_in(const std::string& digest) {
 
 std::string what_changed(const Input& input, const std::string& was, const std::string& is) {
   if (input.files.size() > 1 || !input.is_option) {
-    if (input.role.starts_with(a_recording)) return input.role + " has other contents";
+    if (input.role.starts_with(a_recording)) return input.role + " has changed";
     const std::size_t before = count_in(was);
     const std::size_t now = count_in(is);
-    if (before != now) return fmt::format("{} are {}, were {}", input.role, now, before);
-    return input.role + " have other contents";
+    if (before != now) return fmt::format("number of {} is {}, was {}", input.role, now, before);
+    return input.role + " have changed";
   }
-  return file_name(input.files.front()) + " has other contents";
+  return file_name(input.files.front()) + " has changed";
 }
 
 /// True if a recording is gone while others that match its pattern exist. Raw recordings may be
@@ -143,7 +143,8 @@ void Judge::read_ahead(const std::vector<StepId>& ids) {
 Verdict Judge::judge(StepId id) {
   const std::string missing = what_is_missing(graph_.at(id));
   if (!missing.empty()) return {State::due, missing, true};
-  if (graph_.at(id).is_always_due) return {State::due, "it shows the run as it is", false};
+  if (graph_.at(id).is_always_due)
+    return {State::due, "it shows the present state of the run", false};
   const std::string why = what_differs(id);
   if (!why.empty()) return {State::due, why, false};
   Verdict verdict;
@@ -189,7 +190,7 @@ std::string Judge::in_artefacts(const Step& step) {
 
 std::string Judge::in_record(const Step& step) {
   const artefact::DoneStep* const done = disk_.done(name_of(step));
-  if (done == nullptr) return "nothing says how it was made";
+  if (done == nullptr) return "the journal does not record how it was made";
   const Values was = parse_options(*done->made.options);
   const Values wanted = wanted_by(step);
   for (const auto& [option, value] : wanted) {
@@ -203,7 +204,7 @@ std::string Judge::in_record(const Step& step) {
   for (const auto& [output, digest] : done->outputs) {
     const File* const file = disk_.find(output);
     if (file == nullptr) return file_name(output) + " is missing";
-    if (file->digest != digest) return file_name(output) + " was changed by somebody else";
+    if (file->digest != digest) return file_name(output) + " was changed after it was made";
   }
   return in_inputs(step, done->made);
 }
@@ -236,7 +237,8 @@ std::string Judge::in_inputs(const Step& step, const artefact::Made& made) {
   }
   for (const artefact::MadeFrom& from : made.inputs) {
     if (roles.contains(from.role)) continue;
-    if (!from.role.starts_with(a_recording)) return "it was made with --" + from.role + ", too";
+    if (!from.role.starts_with(a_recording))
+      return "it was made with --" + from.role + ", which it no longer reads";
     if (is_gone(from.role, step)) return from.role + " is gone";
   }
   return {};

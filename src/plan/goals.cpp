@@ -109,7 +109,7 @@ void require_one_that(bool (*is_so)(const Goal&), const std::vector<std::string>
   }
   if (names.size() == 1 && has(able, names.front())) return;
   throw Error(Exit::usage,
-              fmt::format("one of {} at a time, not '{}'", fmt::join(able, ", "), spaced(names)));
+              fmt::format("give one goal of {}, not '{}'", fmt::join(able, ", "), spaced(names)));
 }
 
 }  // namespace piae::plan

@@ -64,11 +64,11 @@ void add_identifications(TableSteps& tables) {
     any = true;
   }
   if (!any_infers) {
-    throw Error(Exit::usage, "make identify: METHODS must have one of " + spaced(inferring));
+    throw Error(Exit::usage, "make identify: METHODS must include one of " + spaced(inferring));
   }
   if (!any) {
-    throw Error(Exit::usage, fmt::format("make identify: DATASETS must have one that is simulated "
-                                         "({}), whose (k, c) are known",
+    throw Error(Exit::usage, fmt::format("make identify: DATASETS must include a simulated one "
+                                         "({}), because only simulated (k, c) are known",
                                          spaced(simulated)));
   }
 }

@@ -16,7 +16,8 @@ double number_of(const std::string& text) { return number_in<double>(text).value
 
 /// Reads a line of jobs/job.sbatch: the start or the end of a life.
 void read_life(const std::string& line, JobLog& log) {
-  static const std::regex started("job: life begun at (\\d+) on .*, (\\d+) cores");
+  // Jobs that were submitted before an update write "begun".
+  static const std::regex started("job: life (?:started|begun) at (\\d+) on .*, (\\d+) cores");
   static const std::regex ended("job: life ended at (\\d+), used ([\\d.]+) s, status (\\d+): (.*)");
   std::smatch found;
   if (std::regex_match(line, found, started)) {

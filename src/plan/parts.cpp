@@ -40,7 +40,7 @@ Words that_can_run(const Words& methods, const Dataset& dataset) {
 std::string unsaid_line(const Dataset& dataset) {
   Words unsaid;
   for (const augment::Needs need : dataset.unsaid) unsaid.emplace_back(in_words(need));
-  return fmt::format("the description of {} does not say what they need: {}", dataset.name,
+  return fmt::format("the description of {} lacks what they need: {}", dataset.name,
                      fmt::join(unsaid, " and "));
 }
 
@@ -85,7 +85,7 @@ std::string left_out_line(const Words& methods, const Words& classifiers, const 
                                   fmt::join(not_here, ", ")));
   }
   if (!nowhere.empty()) {
-    reasons.push_back(fmt::format("rules are run with {} alone, so these are left out: {}",
+    reasons.push_back(fmt::format("rules run with {} only, so these are left out: {}",
                                   augment::no_method, fmt::join(nowhere, ", ")));
   }
   return reasons.empty() ? "" : fmt::format("{}", fmt::join(reasons, " "));
@@ -102,7 +102,7 @@ std::string left_out_line(const Words& methods, const Words& classifiers, const 
     }
   }
   throw Error(Exit::usage,
-              fmt::format("{}: nothing is left to be made; {}; choose of METHODS=\"{}\" "
+              fmt::format("{}: nothing is left to run; {}; choose from METHODS=\"{}\" "
                           "CLASSIFIERS=\"{}\"",
                           dataset.name, reasons, spaced(methods), spaced(classifiers)));
 }

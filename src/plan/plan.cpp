@@ -115,7 +115,10 @@ void Plan::keep_pages() {
 void Plan::request_files(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const auto maker = graph_.maker_of(file);
-    if (!maker) throw Error(Exit::usage, file + ": no step makes it, with these variables");
+    if (!maker)
+      throw Error(Exit::usage, file +
+                                   ": no step makes this file with the given DATASETS, METHODS, "
+                                   "RATIOS, CLASSIFIERS and SEEDS; change these");
     graph_.at(*maker).is_requested = true;
   }
   for (StepId id = graph_.steps().size(); id-- > 0;) {
@@ -139,7 +142,9 @@ std::unique_ptr<Plan> plan_with_missing(const Experiment& experiment, Choice cho
     }
     std::erase_if(choice.seeds, [&](std::int64_t seed) { return incomplete.contains(seed); });
     if (choice.seeds.empty()) {
-      throw Error(Exit::input_missing, "of no seed there is all, so there are no tables");
+      throw Error(
+          Exit::input_missing,
+          "no seed is complete, so there are no tables; `make status` shows what is missing");
     }
   }
   return std::make_unique<Plan>(experiment, std::move(choice), Stretch::grid, disk);

@@ -115,7 +115,7 @@ std::string makefile_of(Plan& plan, bool quietly) {
       rules += (quietly ? "\t@" : "\t") + line + '\n';
     }
   }
-  return "# The steps of a run that are to be done. Written by build/bin/plan for one make.\n"
+  return "# Steps of a run that are due. Written by build/bin/plan for one call of make.\n"
          ".PHONY: steps" +
          names + "\nsteps:" + names + '\n' + rules;
 }
@@ -150,7 +150,7 @@ std::string why_of(Plan& plan) {
     for (const std::string& step : steps) text += fmt::format("{}: {}\n", step, why);
   }
   if (!waiting.empty()) {
-    text += fmt::format("after these, where they give something else: {}\n", counted(waiting));
+    text += fmt::format("then, if the steps above change their inputs: {}\n", counted(waiting));
   }
   return text;
 }
@@ -163,7 +163,8 @@ std::string guessed_costs_of(Plan& plan, const Costs& costs) {
     guessed.insert(step.stage + (step.place.method.empty() ? "" : " ") + step.place.method);
   }
   if (guessed.empty()) return {};
-  return fmt::format("no cost is known of: {}; the largest is taken\n", fmt::join(guessed, ", "));
+  return fmt::format("no cost is known for: {}; the largest known one is used\n",
+                     fmt::join(guessed, ", "));
 }
 
 std::string summary_of(Plan& plan, const Costs& costs) {
@@ -180,8 +181,8 @@ std::string summary_of(Plan& plan, const Costs& costs) {
   }
   if (ids.empty()) return {};
   std::string text = fmt::format(
-      "{} steps: {}\n{} of processor time, at most {:.0f} MB of memory a step, by what steps took "
-      "elsewhere (jobs/costs.csv)\n",
+      "{} steps: {}\n{} of processor time and at most {:.0f} MB of memory a step, estimated from "
+      "earlier runs (jobs/costs.csv)\n",
       ids.size(), counted(counts), duration(seconds), megabytes);
   return text + guessed_costs_of(plan, costs);
 }
@@ -194,7 +195,7 @@ std::string missing_of(Plan& plan) {
     if (step.stage != "split" && step.stage != "generate") files.push_back(step.outputs.front());
   }
   if (files.empty()) return {};
-  std::string text = fmt::format("missing: {} files that the tables are made of\n", files.size());
+  std::string text = fmt::format("missing: {} files that the tables need\n", files.size());
   for (std::size_t i = 0; i < std::min(files.size(), most); ++i) text += "  " + files[i] + '\n';
   if (files.size() > most) text += "  ... (the first 100)\n";
   return text;
@@ -239,7 +240,7 @@ std::string printed(Plan& plan, Format format, const JobOptions& jobs) {
 
 std::string printed_whole(Planned& planned, Format format) {
   if (format != Format::why && format != Format::summary) {
-    throw Error(Exit::usage, "--whole goes with --format why or summary (see plan --help)");
+    throw Error(Exit::usage, "--whole works only with --format why or summary (see plan --help)");
   }
   std::string text;
   std::string later;
@@ -252,8 +253,8 @@ std::string printed_whole(Planned& planned, Format format) {
     planned.go_to(stretch);
     text = printed(planned.plan(), format, {});
   }
-  if (text.empty()) return "nothing is to be done\n";
-  return later.empty() ? text : text + "then, of what there will be: " + later + '\n';
+  if (text.empty()) return "nothing to do\n";
+  return later.empty() ? text : text + "then, from these results: " + later + '\n';
 }
 
 }  // namespace piae::plan

@@ -14,8 +14,8 @@ namespace {
 void add_readings_of(TableSteps& tables, const Part& part) {
   const Dataset& dataset = part.dataset;
   if (!part.dataset.any_known) {
-    throw Error(Exit::usage, fmt::format("make readings: {}: no fault window is known, and {} "
-                                         "learns from those",
+    throw Error(Exit::usage, fmt::format("make readings: {}: no fault window is known, but {} "
+                                         "learns from such windows; choose other DATASETS",
                                          dataset.name, augment::paper_method()));
   }
   const Words ratios = tables.moved_ratios({"10to1", "1to1"}, "readings");
@@ -56,7 +56,9 @@ void add_readings_of(TableSteps& tables, const Part& part) {
 
 void add_readings(TableSteps& tables) {
   if (tables.experiment().readings.empty()) {
-    throw Error(Exit::usage, "make readings: [readings] of pipeline/protocol.toml names none");
+    throw Error(Exit::usage,
+                "make readings: [readings] of pipeline/protocol.toml does not list an "
+                "interpretation; add one");
   }
   for (const Part& part : tables.choice().parts) add_readings_of(tables, part);
 }

@@ -27,11 +27,11 @@ void require_words(const std::string& variable, const Words& words, const Words&
   if (words.empty()) refuse(variable, "is empty");
   for (const std::string& word : words) {
     if (!known.empty() && !has(known, word)) {
-      refuse(variable, fmt::format("unknown '{}'; there are: {}", word, spaced(known)));
+      refuse(variable, fmt::format("unknown '{}'; choose from: {}", word, spaced(known)));
     }
   }
   if (std::set<std::string>(words.begin(), words.end()).size() < words.size()) {
-    refuse(variable, fmt::format("'{}' names one twice", spaced(words)));
+    refuse(variable, fmt::format("'{}' names the same item twice; remove one", spaced(words)));
   }
 }
 
@@ -70,7 +70,7 @@ std::vector<std::int64_t> seeds_in(const std::string& text) {
   for (const std::string& word : words) {
     const auto seed = number_in<std::int64_t>(word);
     if (!seed || *seed < 0 || std::to_string(*seed) != word) {
-      refuse("SEEDS", fmt::format("whole numbers from 0 up, not '{}'", spaced(words)));
+      refuse("SEEDS", fmt::format("must be whole numbers from 0 up, not '{}'", spaced(words)));
     }
     seeds.push_back(*seed);
   }
@@ -83,25 +83,25 @@ std::string run_name(const Request& request) {
   if (name.starts_with("results/")) name = name.substr(std::string("results/").size());
   while (name.ends_with('/')) name.pop_back();
   if (words_in(name) != Words{name}) {
-    refuse("RUN", "one word, the name of a folder under results/");
+    refuse("RUN", "must be one word, the name of a folder under results/");
   }
   if (name.find('/') != std::string::npos) {
-    refuse("RUN", fmt::format("the name of a folder under results/, not a path: '{}'", name));
+    refuse("RUN",
+           fmt::format("must be the name of a folder under results/, not a path: '{}'", name));
   }
   const bool begins_badly = name.starts_with('.') || name.starts_with('-');
   if (begins_badly || has({"published", "reference", "results"}, name)) {
-    refuse("RUN", fmt::format("'{}' cannot be the name of a run", name));
+    refuse("RUN",
+           fmt::format("'{}' cannot be the name of a run; choose another one, such as try", name));
   }
   return name;
 }
 
 [[noreturn]] void refuse_no_cells(const Choice& choice) {
-  throw Error(
-      Exit::usage,
-      fmt::format("no cells: METHODS=\"{}\" RATIOS=\"{}\"; {} is run at {} only, the others "
-                  "at all other ratios",
-                  spaced(choice.methods), spaced(choice.ratios), augment::no_method,
-                  scoring::all_ratios().front().name));
+  throw Error(Exit::usage, fmt::format("no cells: METHODS=\"{}\" RATIOS=\"{}\"; {} runs at {} "
+                                       "only, and the other methods at all other ratios",
+                                       spaced(choice.methods), spaced(choice.ratios),
+                                       augment::no_method, scoring::all_ratios().front().name));
 }
 
 /// Handles figures and pages that are requested as files. Then only the named figures are drawn.
@@ -123,9 +123,9 @@ void choose_goals(const Request& request, Choice& choice) {
   for (const std::string& goal : request.goals) {
     const bool is_file = goal.find('/') != std::string::npos;
     if (!is_file && !has(goal_names(), goal)) {
-      throw Error(Exit::usage, fmt::format("there is no goal '{}'; there are: {}, and files of "
-                                           "results/",
-                                           goal, spaced(goal_names())));
+      throw Error(Exit::usage,
+                  fmt::format("unknown goal '{}'; choose from: {}, or name a file of results/",
+                              goal, spaced(goal_names())));
     }
     if (!is_file) {
       choice.goals.push_back(goal);

@@ -35,20 +35,20 @@ std::vector<std::string> held_in(const fs::path& run) {
 }  // namespace
 
 void bind(const cli::Options& command, RequestOptions& requested) {
-  command.add("--goals", requested.goals, "What is to be made: all, cells, ..., or files of a run")
+  command.add("--goals", requested.goals, "Goals, such as all or cells, or files of a run")
       .from_environment("GOALS");
   command.add("--run", requested.run, "Folder under results/").from_environment("RUN");
   command.add("--datasets", requested.datasets, "Data sets").from_environment("DATASETS");
-  command.add("--methods", requested.methods, "Methods; paper: the paper's")
+  command.add("--methods", requested.methods, "Methods; paper: the methods of the paper")
       .from_environment("METHODS");
-  command.add("--ratios", requested.ratios, "Windows known to generated")
+  command.add("--ratios", requested.ratios, "Ratios of known to generated windows")
       .from_environment("RATIOS");
   command.add("--classifiers", requested.classifiers, "Classifiers")
       .from_environment("CLASSIFIERS");
   command.add("--seeds", requested.seeds, "Independent repeats").from_environment("SEEDS");
   command
       .choose("--protocol", requested.protocol, signal::protocol_words(),
-              "The split: random (the paper) or blocked (no overlaps)")
+              "Split: random (the paper) or blocked (no overlaps)")
       .from_environment("PROTOCOL");
   command.add("--data-dir", requested.data_dir, "Folder of the recordings")
       .from_environment("DATA_DIR");
@@ -61,16 +61,16 @@ void bind(const cli::Options& command, PlanOptions& options) {
   for (const Stretch stretch : stretches) words.push_back({to_string(stretch), stretch});
   command
       .choose("--stretch", options.stretch, words,
-              "Part of a run, each planned when the one before is done; a makefile is that of the "
-              "first one, from here on, in which something is to be done")
+              "First part of the run to consider; a makefile covers the first one from there on "
+              "with due steps")
       .from_environment("PIAE_STRETCH");
   command
       .flag("--with-holes", options.with_missing,
-            "Tables of the cells that are there, where others are missing")
+            "Make tables from the existing cells even if others are missing")
       .from_environment("PIAE_WITH_HOLES");
   command.flag("--looks", options.looks, "Write nothing, not even settings files and the journal");
   command.add("--only", options.only,
-              "Only the files that this file names, a line each, and what they are made of");
+              "Plan only the files listed in this file, one a line, and what they need");
 }
 
 Request RequestOptions::request() const {

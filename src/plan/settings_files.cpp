@@ -14,8 +14,9 @@ namespace {
 void require_no_link(const fs::path& folder) {
   std::error_code none;
   if (!fs::is_symlink(folder, none)) return;
-  throw Error(Exit::failed,
-              folder.string() + ": is a link, and settings are not written through one; remove it");
+  throw Error(
+      Exit::failed,
+      folder.string() + ": is a link, and settings are not written through links; remove it");
 }
 
 }  // namespace

@@ -167,8 +167,8 @@ std::string listed_jobs(const Submission& submission) {
 std::string spent_by_submission(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "choice")) {
     throw Error(Exit::input_missing, folder.string() +
-                                         ": is not the folder of a submission, such " +
-                                         "as results/try/.jobs/20261127T120000");
+                                         ": is not the folder of a submission; name " +
+                                         "one such as results/try/.jobs/20261127T120000");
   }
   const double submitted_s =
       seconds_since_1970(std::chrono::file_clock::to_sys(fs::last_write_time(folder / "choice")));

@@ -69,16 +69,19 @@ void add_sweeps(TableSteps& tables) {
   Words swept;
   for (const settings::Sweep& sweep : tables.experiment().sweeps) swept.push_back(sweep.method);
   if (swept.empty()) {
-    throw Error(Exit::usage, "make sweep: no points in [sweep] of pipeline/protocol.toml");
+    throw Error(Exit::usage,
+                "make sweep: [sweep] of pipeline/protocol.toml does not list a point; add one");
   }
   std::erase_if(swept,
                 [&](const std::string& method) { return !has(tables.choice().methods, method); });
   if (swept.empty()) {
     Words all;
     for (const settings::Sweep& sweep : tables.experiment().sweeps) all.push_back(sweep.method);
-    throw Error(Exit::usage,
-                fmt::format("make sweep moves the settings of {}: METHODS must have one of them",
-                            spaced(all)));
+    throw Error(
+        Exit::usage,
+        fmt::format(
+            "make sweep: METHODS must include one of {}, because only their settings are moved",
+            spaced(all)));
   }
   for (const Part& part : tables.choice().parts) {
     bool any = false;
@@ -89,8 +92,8 @@ void add_sweeps(TableSteps& tables) {
       any = any || fits;
     }
     if (any) continue;
-    throw Error(Exit::usage, fmt::format("make sweep: {}: no fault window is known, and none of {} "
-                                         "works there by the classifier of its sweep",
+    throw Error(Exit::usage, fmt::format("make sweep: {}: no fault window is known, but the sweeps "
+                                         "of {} need some; choose other DATASETS or METHODS",
                                          part.dataset.name, spaced(swept)));
   }
 }

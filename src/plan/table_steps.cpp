@@ -36,8 +36,8 @@ Words published(Disk& disk) {
   }
   if (files.empty()) {
     throw Error(Exit::input_missing,
-                "results/published holds no table: what the paper publishes is shown beside our "
-                "results; `git checkout results/published` brings it back");
+                "results/published does not hold a table, but the paper's tables are shown next to "
+                "our results; restore it with `git checkout results/published`");
   }
   return files;
 }
@@ -265,9 +265,10 @@ Words TableSteps::moved_ratios(const Words& otherwise, const std::string& goal) 
     if (ratio != nothing_generated()) ratios.push_back(ratio);
   }
   if (ratios.empty()) {
-    throw Error(Exit::usage, fmt::format("make {}: RATIOS must have others than {}, at which "
-                                         "nothing is generated",
-                                         goal, nothing_generated()));
+    throw Error(
+        Exit::usage,
+        fmt::format("make {}: RATIOS must include one other than {}, at which nothing is generated",
+                    goal, nothing_generated()));
   }
   return ratios;
 }

@@ -32,9 +32,11 @@ std::string generating_ratio(const Choice& choice) {
     if (each.generated_per_class > 0 && has(choice.ratios, each.name)) last = each.name;
   }
   if (!last.empty()) return last;
-  throw Error(Exit::usage, fmt::format("make transfer: RATIOS must have others than {}, at which "
-                                       "nothing is generated",
-                                       nothing_generated()));
+  throw Error(
+      Exit::usage,
+      fmt::format(
+          "make transfer: RATIOS must include one other than {}, at which nothing is generated",
+          nothing_generated()));
 }
 
 /// Throws Error(usage) if an input of a group needs a classifier that is not requested.
@@ -50,7 +52,7 @@ void require_classifiers(const Choice& choice, const settings::Group& group) {
   }
   if (lacks.empty()) return;
   throw Error(Exit::usage,
-              fmt::format("make transfer: CLASSIFIERS must have {}, which [transfer.{}] of "
+              fmt::format("make transfer: CLASSIFIERS must include {}, which [transfer.{}] of "
                           "pipeline/protocol.toml names for these METHODS",
                           fmt::join(lacks, " "), group.name));
 }
@@ -112,7 +114,8 @@ void add_transfers(TableSteps& tables) {
   }
   if (any) return;
   throw Error(Exit::usage,
-              fmt::format("make transfer: DATASETS must have all of a group: {}", spaced(groups)));
+              fmt::format("make transfer: DATASETS must include all data sets of one group: {}",
+                          spaced(groups)));
 }
 
 }  // namespace piae::plan

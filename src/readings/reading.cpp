@@ -13,9 +13,10 @@ namespace {
 Reading parse(const std::string& word) {
   static const std::regex settings(R"([a-z-]+=[a-z0-9.-]+(\+[a-z-]+=[a-z0-9.-]+)*)");
   if (!std::regex_match(word, settings)) {
-    throw Error(Exit::usage, "--readings: '" + word +
-                                 "' is not SETTING=VALUE, such as batches=class; several are "
-                                 "joined by +");
+    throw Error(
+        Exit::usage,
+        "--readings: '" + word +
+            "' is not SETTING=VALUE; write one such as batches=class, and join several by +");
   }
   return {word};
 }
@@ -30,10 +31,11 @@ std::string Reading::folder() const {
 
 void bind(const cli::Options& command, ReadingsOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
-  command.add("--base", options.base, "Settings that a reading has unless it says otherwise");
+  command.add("--base", options.base,
+              "Settings of each interpretation that does not override them");
   command
       .add("--readings", options.readings,
-           "Readings beside base, such as: batches=class batches=class+space=class")
+           "Interpretations in addition to base, such as: batches=class batches=class+space=class")
       .required();
   command.add("--ratios", options.ratios, "Ratios, such as: 10to1 1to1").required();
   command.add("--seeds", options.seeds, "Seeds, such as: 100 101").required();

@@ -76,17 +76,16 @@ Section accuracy_section(const Readings& readings, const std::vector<Row>& rows)
   if (std::ranges::count(rows, as_published, &Row::reading) > 0) {
     add_row(table, "as published", as_published, rows, columns);
   }
-  return {
-      "accuracy", "Accuracy in percent",
-      "WDCNN on the waveform, and beside it the nearest neighbour by 128 bands of the spectrum, "
-      "which needs no training.",
-      table};
+  return {"accuracy", "Accuracy in percent",
+          "WDCNN on the waveform, and the nearest neighbour in 128 bands of the spectrum, which "
+          "does not need training.",
+          table};
 }
 
 Section quality_section(const Readings& readings, const std::vector<Row>& rows) {
   return {
       "quality", "The generated windows beside real ones",
-      "Means over the classes; an amplitude ratio of 1 is that of real windows.",
+      "Means over the classes. Real windows have an amplitude ratio of 1.",
       table_of(readings, rows,
                {{.heading = "MMD²", .quantity = "mmd", .decimals = 3},
                 {.heading = "RMSE", .quantity = "rmse", .decimals = 3},
@@ -96,8 +95,8 @@ Section quality_section(const Readings& readings, const std::vector<Row>& rows) 
 
 Section losses_section(const Readings& readings, const std::vector<Row>& rows) {
   return {"losses", "Losses at the end, and their weights",
-          "Losses are means of the last epoch. Behind each weight of eq. 23 stands the part of its "
-          "stationary point 1 / (2 L) that it has reached: 1 where it is there.",
+          "Losses are means of the last epoch. The column after each weight of eq. 23 is the "
+          "weight divided by its stationary point 1 / (2 L): 1 means that it is reached.",
           table_of(readings, rows,
                    {{.heading = "L_DDL", .quantity = "L_DDL", .decimals = 3},
                     {.heading = "L_DT", .quantity = "L_DT", .decimals = 3},
@@ -113,12 +112,11 @@ Section losses_section(const Readings& readings, const std::vector<Row>& rows) {
 Section states_section(const Readings& readings, const std::vector<Row>& rows) {
   return {
       "states", "Stiffness and damping",
-      "Of the known windows: how many of a hundred have an open contact at rest, and a damping "
-      "below the 10 N s/m of the paper (3.3.1); the mean of k in MN/m and of c in N s/m, and "
-      "their standard deviation as a part of it; the part of their variance that lies between the "
-      "classes, of which chance gives 0.18 for nine classes of five. R² and bias are against the "
-      "true ones of "
-      "windows that the model has not seen, where they are known.",
+      "Known windows: the percentage with an open contact at rest, and with a damping below the "
+      "paper's 10 N s/m (3.3.1); the mean of k in MN/m and of c in N s/m, and their standard "
+      "deviation as a fraction of the mean; the fraction of their variance that lies between the "
+      "classes, which is 0.18 by chance for nine classes of five. R² and bias compare with the "
+      "true values of windows that the model has not seen, where these are known.",
       table_of(readings, rows,
                {{.heading = "open, %", .quantity = "open_contacts", .decimals = 0},
                 {.heading = "low c, %", .quantity = "low_damping", .decimals = 0},
@@ -186,9 +184,9 @@ report::Document document(const Readings& readings, const std::vector<Row>& rows
   report::Document document{.key = readings.grid.dataset + "-readings",
                             .title = "Readings of the paper on " + readings.grid.dataset};
   document.paragraphs.push_back(
-      fmt::format("{} where the paper's words leave a choice (pipeline/protocol.toml, [readings]). "
-                  "Each differs "
-                  "from base in what its name says; base is {}. Mean ± sample standard deviation "
+      fmt::format("Interpretations of {} where the paper leaves a choice (pipeline/protocol.toml, "
+                  "[readings]). The name of each gives its difference from base; base is {}. Mean "
+                  "± sample standard deviation "
                   "over {} seed{} "
                   "({}).",
                   augment::paper_method(), fmt::join(readings.base, ", "), seeds.size(),

@@ -34,8 +34,8 @@ scoring::Summary summarise_within(const Bounds& bounds, std::span<const double> 
 
 /// Note on these intervals in tables for people.
 inline constexpr const char* about_intervals =
-    "95 % is the interval of the mean by Student's t, cut off where no mean can lie; there is none "
-    "of fewer than three seeds, of which it would span nearly all that can be.";
+    "95 % is the interval of the mean by Student's t, cut off at values that no mean can have; it "
+    "is not given for fewer than three seeds, because it would span almost all values.";
 
 /// One method at one ratio, by one classifier, over its seeds. Values are accuracies in percent, or
 /// gains in points.

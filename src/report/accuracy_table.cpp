@@ -170,17 +170,18 @@ std::string about_reference(const std::optional<AccuracyRow>& reference_row) {
 
 std::string means_note(const PaperReference& reference,
                        const std::optional<AccuracyRow>& reference_row) {
-  const std::string of_reference = reference_row ? " " + about_reference(reference_row) +
-                                                       ": what a method must exceed to be needed."
-                                                 : "";
-  return std::string("All methods side by side. Their spread and intervals") +
-         (reference.counterpart() ? ", and what the paper publishes," : "") +
-         " follow, method by method." + of_reference;
+  const std::string of_reference = reference_row
+                                       ? " " + about_reference(reference_row) +
+                                             ": a method that does not exceed it is not needed."
+                                       : "";
+  return std::string("All methods side by side. Spread and intervals") +
+         (reference.counterpart() ? ", and the published values," : "") +
+         " follow for each method." + of_reference;
 }
 
 constexpr const char* types_note =
-    "How often the kind is right: healthy, or which part of the bearing is damaged, whatever the "
-    "size. It is what a maintainer asks first.";
+    "How often the fault type is correct (healthy, or the damaged part of the bearing), whatever "
+    "the size of the defect.";
 
 constexpr const char* gain_note =
     "Accuracy minus that of the same seed without generated windows; mean and spread are those of "
@@ -257,14 +258,14 @@ std::string by(const ClassifierRows& block) {
 }
 
 std::string about_published(const PaperReference& reference, const std::string& classifier) {
-  if (classifier != scoring::paper_classifier) return " The paper has no such classifier.";
-  if (!reference.counterpart()) return " The paper has no such data set.";
-  return " What the paper publishes is from its Tables 6 to 11 (results/published/*.csv).";
+  if (classifier != scoring::paper_classifier) return " The paper does not use this classifier.";
+  if (!reference.counterpart()) return " The paper does not use this data set.";
+  return " Published values are from Tables 6 to 11 of the paper (results/published/*.csv).";
 }
 
 constexpr const char* about_signs =
-    "▲ helps, ▼ harms, ○ makes no clear difference: whether the interval lies on one side of zero. "
-    "Of fewer than three seeds there is none, and nothing follows. Seeds are paired, from the same "
+    "▲ helps (interval above zero), ▼ harms (below zero), ○ makes no clear difference. Fewer than "
+    "three seeds have no interval and allow no conclusion. Seeds are paired, from the same "
     "artefacts as the accuracies.";
 
 }  // namespace

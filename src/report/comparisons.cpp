@@ -38,7 +38,7 @@ std::string choose_other_side(const std::vector<AccuracyRow>& rows,
   std::string known;
   for (const std::string& method : methods) known += ' ' + method;
   throw Error(Exit::usage,
-              "--against " + requested + ": has no cell here; methods that have:" + known);
+              "--against " + requested + ": has no cell in this run; choose from:" + known);
 }
 
 /// Compares the means of the ratios that both have.

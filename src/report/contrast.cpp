@@ -138,12 +138,12 @@ Document contrast_document(const Contrast& contrast) {
   const std::string what = names.with + " against " + names.without;
   const bool same_dataset = dataset == contrast.without.dataset;
   Document document{.key = dataset, .title = (same_dataset ? dataset + ": " : "") + what};
-  document.paragraphs.push_back(fmt::format(
-      "What {} is worth: accuracy in percent with it, and with {} in its place; the "
-      "difference is the first minus the second. Each side has splits of its own: a pair "
-      "has the seed in common, not the windows. Numbers are the mean ± the sample "
-      "standard deviation over the seeds. {}",
-      names.with, names.without, about_intervals));
+  document.paragraphs.push_back(
+      fmt::format("Effect of {}: accuracy in percent with it and with {} instead; the difference "
+                  "is the first minus the second. Each side has its own splits: a pair shares the "
+                  "seed, not the windows. Numbers are the mean ± the sample "
+                  "standard deviation over the seeds. {}",
+                  names.with, names.without, about_intervals));
   document.paragraphs.insert(document.paragraphs.end(), contrast.with.gaps.begin(),
                              contrast.with.gaps.end());
   document.sections.push_back(

@@ -61,19 +61,18 @@ bool has_decisions(const run::Results& results) {
 std::string decisions_note(const run::Results& results, bool any_fewer) {
   const bool are_apart = results.diagnoses.front().protocol == signal::Protocol::random;
   return std::string(
-             "Balanced accuracy, the mean over the classes of the share that is "
-             "recognised, of decisions over n test windows of one record that follow each "
-             "other") +
-         (are_apart ? " (the random split makes them neighbours among the test windows, not in the "
-                      "record)"
+             "Balanced accuracy (recall averaged over the classes) of decisions over n successive "
+             "test windows of one record") +
+         (are_apart ? " (with the random split they are successive among the test windows, not in "
+                      "the record)"
                     : "") +
-         ": the class with the largest sum of scores. What fills no group of n is left out; there "
-         "is no number where a class has no record with n test windows. Each method is at its "
-         "ratio with the most generated windows; decisions.csv has all, and plain accuracies." +
-         (any_fewer ? fmt::format(
-                          " {} marks means of fewer seeds than the table is of: not each has such "
-                          "records, or its A.h5.",
-                          mark_of_fewer_seeds)
+         ". A decision is the class with the largest sum of scores. Incomplete groups of n do not "
+         "count. A number is missing if a class has no record with n test windows. Each method "
+         "is at its ratio with the most generated windows; decisions.csv has all ratios, and plain "
+         "accuracies." +
+         (any_fewer ? fmt::format(" {} marks means of fewer seeds than the rest of the table: the "
+                                  "others lack such records or A.h5.",
+                                  mark_of_fewer_seeds)
                     : "");
 }
 
@@ -128,17 +127,17 @@ text::Table confidence_table(const std::vector<ConfidenceRow>& rows) {
 /// `silent` are the names of the rows whose classifier does not report its confidence.
 std::string confidence_note(const std::vector<std::string>& silent) {
   return fmt::format(
-             "Calibration error: how far the score of the class that is named is from how often it "
-             "is right, the mean over ten bins of a seed's test windows. Answered: the largest "
-             "share of the test windows that may be answered, those with the least score being "
-             "refused first, so that at least {} % of the answers are right; 100 where none need "
-             "be refused, 0 where no threshold does it. The threshold is read off the same "
-             "windows: it says how well the scores rank them, not what a user would get.",
+             "Calibration error: difference between the score of the predicted class and how often "
+             "the prediction is correct, averaged over ten bins of a seed's test windows. "
+             "Answered: the largest share of the test windows that can be answered with at least "
+             "{} % of the answers correct, if those with the lowest scores are refused first; 100 "
+             "if none must be refused, 0 if no threshold suffices. The threshold comes from the "
+             "same windows, so it shows how well the scores rank them, not what a user would get.",
              scoring::wanted_precision_percent) +
-         (silent.empty() ? ""
-                         : fmt::format(" Nothing is said of how sure the answers of {} are: all "
-                                       "windows are answered, or none.",
-                                       listed(silent)));
+         (silent.empty()
+              ? ""
+              : fmt::format(" No confidence is reported by {}: all windows are answered, or none.",
+                            listed(silent)));
 }
 
 }  // namespace
@@ -192,7 +191,7 @@ std::vector<Section> decision_sections(const ClassifierRows& block, const run::R
 std::string decisions_gap(const run::Results& results) {
   if (has_decisions(results)) return "";
   return "Decisions over several windows of a record are left out: the run does not hold the test "
-         "windows (A.h5 of each seed), which say of which record they are.";
+         "windows (A.h5 of each seed), which name the record of each window.";
 }
 
 std::string confidence_csv(const std::vector<AccuracyRow>& rows, const run::Results& results) {

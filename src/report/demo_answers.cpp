@@ -91,7 +91,7 @@ std::string answer_at_the_same_speed(const Compared& cells) {
   if (!cells.nearest) return answer;
   const bool no_need =
       cells.nearest->summary.mean >= cells.methods.front().summary.mean - points_of_no_need;
-  return answer + " One of spectra " + (no_need ? "needs no help: " : "reaches ") +
+  return answer + " Spectra " + (no_need ? "do not need help: " : "reach ") +
          percent(*cells.nearest) + (no_need ? "." : " alone.");
 }
 
@@ -120,7 +120,7 @@ std::string answer_without_a_fault(const std::vector<run::Diagnosis>& cells,
   const AccuracyRow& best =
       *std::ranges::max_element(rows, {}, [](const AccuracyRow& row) { return row.summary.mean; });
   const bool diagnoses = best.summary.mean >= percent_of_a_diagnosis && recording.correct;
-  return fmt::format("{}: {} correct by {}; {}: {}, {}.", diagnoses ? "Yes" : "Not well",
+  return fmt::format("{}: {} correct by {}; {}: {}, {}.", diagnoses ? "Yes" : "Not reliably",
                      percent(best), best.classifier, recording.file, recording.named,
                      recording.correct ? "correct" : "wrong");
 }
@@ -152,7 +152,7 @@ std::string demo_answers(const DemoCells& cells) {
                   answer_at_the_same_speed(same)) +
          numbered(2, question_at_the_other_speed(cells.other_speed.front()),
                   answer_at_the_other_speed(other)) +
-         numbered(3, "No fault was ever recorded. Can one be named all the same?",
+         numbered(3, "No fault was ever recorded. Can one be diagnosed anyway?",
                   answer_without_a_fault(cells.no_fault, cells.recording));
 }
 

@@ -155,7 +155,7 @@ std::string left_out_line(const run::Results& results) {
   Facts facts;
   for (const std::string& method : methods) add_fact(facts, method, seeds_label(seeds[method]));
   if (facts.empty()) return "";
-  return "left out, since they are damaged, or of other settings or inputs: cells "
+  return "left out, because they are damaged or were made with other settings or inputs: cells "
          "of " +
          joined(facts);
 }
@@ -165,18 +165,17 @@ std::vector<std::string> gap_paragraphs(const run::Grid& grid, const run::Result
   const std::string cells = fewer_cells(grid, results);
   if (!cells.empty()) {
     paragraphs.push_back(
-        "The run holds more of some methods than of others; these have only: " + cells +
-        ". Each number is of the seeds that there are, and a comparison of those that both sides "
-        "have; " +
+        "Some methods have fewer cells than others; these have only: " + cells +
+        ". Each number uses the existing seeds, and a comparison those that both sides have; " +
         mark_of_fewer_seeds + " marks methods with fewer seeds than others of the same table.");
   }
   const std::string scores = fewer_scores(grid, results);
   if (!scores.empty())
-    paragraphs.push_back("The quality of windows is known only of " + scores + ".");
+    paragraphs.push_back("The quality of windows is known only for " + scores + ".");
   const std::string left_out = left_out_line(results);
   if (!left_out.empty()) {
     paragraphs.push_back("L" + left_out.substr(1) +
-                         ". To make them again, ask for these METHODS and SEEDS.");
+                         ". To remake them, give these METHODS and SEEDS.");
   }
   return paragraphs;
 }

@@ -56,8 +56,8 @@ std::vector<std::string> identified_methods(const std::vector<Identification>& a
 void require_truth(const Identification& one) {
   if (one.windows.parameters.size() == one.windows.size()) return;
   throw Error(Exit::bad_input,
-              fmt::format("{}: the true stiffness and damping of its windows are not known; they "
-                          "are where `simulate` made the records, as of `simulated`",
+              fmt::format("{}: the true stiffness and damping of its windows are not known; name a "
+                          "data set that `simulate` makes, such as simulated",
                           one.windows.info.name));
 }
 
@@ -74,8 +74,8 @@ IdentifiabilityRow identifiability_row(const std::vector<Identification>& all,
     const auto [low, high] = std::ranges::minmax(values.truth);
     if (!(low < high)) {
       throw Error(Exit::bad_input,
-                  fmt::format("{}, seed {}: the true {} of class {} does not vary; nothing can be "
-                              "said of how well it is inferred",
+                  fmt::format("{}, seed {}: the true {} of class {} does not vary, so how well it "
+                              "is inferred cannot be measured",
                               one.windows.info.name, one.seed, parameter.name, class_name));
     }
     const scoring::Agreement found = scoring::agreement(values.truth, values.inferred);
@@ -153,8 +153,8 @@ Section scatter_section(const std::vector<Identification>& all, const Parameter&
     }
   }
   return {std::string("scatter-") + parameter.name, std::string("Scatter of ") + parameter.heading,
-          "Windows of all seeds in groups of equal count by their true value, and of what was "
-          "inferred in each group the median and between what 80 % lie.",
+          "Windows of all seeds in groups of equal count by their true value; for each group the "
+          "median of the inferred values, and the range that holds 80 % of them.",
           table};
 }
 
@@ -236,16 +236,15 @@ Document identifiability_document(const std::string& dataset,
   Document document{.key = dataset + "-identifiability",
                     .title = "How well stiffness and damping are identified on " + dataset};
   document.paragraphs.push_back(fmt::format(
-      "Each method has learned from the known windows C alone, and infers (k, c) of the real "
-      "windows D, which it has not seen; both are simulated, so the truth is known (paper, "
-      "Sections "
-      "3.2 and 3.3, which claim that the learned features are these parameters). {}.",
+      "Each method learns from the known windows C only and infers (k, c) of the real windows D, "
+      "which it has not seen. Both are simulated, so the true values are known (Sections 3.2 and "
+      "3.3 of the paper claim that the learned features are these parameters). {}.",
       models_label(all)));
   document.sections.push_back(
       {"agreement", "Agreement of the inferred with the true parameters",
-       "R² is 1 where both are the same, 0 where naming the true mean would do as well, below 0 "
-       "where it would do better. Correlation² is what R² could reach if the inferred values were "
-       "calibrated by the truth. Mean ± sample standard deviation over the seeds.",
+       "R² is 1 if both are equal, 0 if the true mean would be as good an estimate, and negative "
+       "if it would be a better one. Correlation² is the R² of the best linear calibration of the "
+       "inferred values. Mean ± sample standard deviation over the seeds.",
        agreement_table(dataset, rows)});
   for (const Parameter& parameter : parameters) {
     document.sections.push_back(scatter_section(all, parameter));

@@ -82,9 +82,8 @@ std::string warning_of_few_seeds(const std::vector<PairedRow>& rows) {
   }
   if (limits.empty()) return "";
   return fmt::format(
-      " {} marks p values that cannot be small. Mind that {}: however large such a difference is, "
-      "it "
-      "cannot be significant at {} here.",
+      " {} marks p values that cannot be small: {}. However large such a difference is, it cannot "
+      "be significant at {} here.",
       mark_of_large_p, limits, significance_level);
 }
 
@@ -197,7 +196,7 @@ text::Table paired_table(const std::vector<PairedRow>& rows) {
 
 std::string paired_note(const std::vector<PairedRow>& rows, const std::string& about_means) {
   if (std::ranges::none_of(rows, is_tested)) {
-    return "Differences in points. One seed alone can be tested for nothing.";
+    return "Differences in points. A single seed cannot be tested.";
   }
   return std::string("Differences in points, paired by seed: mean ± standard deviation") +
          (std::ranges::any_of(rows, has_an_interval) ? ", and the interval of the mean" : "") +
@@ -205,7 +204,7 @@ std::string paired_note(const std::vector<PairedRow>& rows, const std::string& a
          "positive, "
          "-1 where every one is negative. p: Wilcoxon's signed-rank test, two-sided and exact, "
          "differences of zero left out; in brackets with Holm's correction over the methods at the "
-         "same ratio, of which a ceiling is none. " +
+         "same ratio, without ceilings. " +
          about_means + warning_of_few_seeds(rows);
 }
 

@@ -56,8 +56,8 @@ text::Table paired_table(const std::vector<PairedRow>& rows);
 
 /// Note on the means of ratios in such a table.
 inline constexpr const char* about_means_of_ratios =
-    "The mean of ratios is taken for each seed, since ratios of one seed share their split and are "
-    "no independent repeats.";
+    "The mean of ratios is taken for each seed, because ratios of one seed share their split and "
+    "are not independent repeats.";
 
 /// Returns the note below such a table: the meaning of its columns, `about_means`, and a warning if
 /// the seeds are too few for a test.

@@ -95,13 +95,13 @@ const std::pair<const char*, Counterpart> counterparts[] = {
     {"hfhp", {hfhp, true, "", ""}},
     {"hit-sm",
      {hfhp, false, "stands in for HFHP",
-      "HFHP, the paper's second dataset, is private; hit-sm stands in for it. What the paper "
-      "publishes of HFHP is shown for orientation only: it is of another rig, of other defects, "
-      "and nothing here can agree or disagree with it."}},
+      "HFHP, the paper's second dataset, is private; hit-sm stands in for it. The paper's values "
+      "for HFHP are shown for orientation only: the rig and the defects differ, so nothing here "
+      "can agree or disagree with them."}},
     {"cwru-as-published",
      {cwru, false, "is CWRU with its sample rates mixed",
-      "Here the healthy record, which was made at 48 kHz, is taken for one of 12 kHz. Whether the "
-      "paper did so is not known: what it publishes of CWRU is shown for orientation only."}},
+      "Here the healthy record, which was made at 48 kHz, is treated as one of 12 kHz. It is not "
+      "known if the paper did so, so its values for CWRU are shown for orientation only."}},
 };
 
 std::optional<Counterpart> counterpart_of(const std::string& dataset) {
@@ -197,7 +197,7 @@ std::string PaperReference::label() const {
 
 Place PaperReference::place_of(const std::string& what) const {
   if (counterpart_->own) return {.after_title = " (the paper's " + what + ")"};
-  return {.before_note = "In the place of the paper's " + what + "; " + dataset_ + " " +
+  return {.before_note = "Replaces the paper's " + what + "; " + dataset_ + " " +
                          counterpart_->relation + "."};
 }
 

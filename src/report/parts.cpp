@@ -120,12 +120,12 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
   const std::vector<std::int64_t> seeds = seeds_of_any_row(moved_rows(rows));
   const bool types = std::ranges::any_of(rows, has_fault_types);
   document.paragraphs.push_back(fmt::format(
-      "Accuracy in percent by {} where one setting of {} is moved and all others are those of the "
-      "grid. The difference to the method as it is in the grid is in points and paired by seed: "
-      "below zero the method is worse without that part. {}Split protocol {}; {} ({}). "
+      "Accuracy in percent by {}, with one setting of {} moved and all others as in the grid. The "
+      "difference from the method as in the grid is in points and paired by seed: a negative one "
+      "means that the method is worse without that part. {}Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}",
       sweep.classifier, sweep.method,
-      types ? "By kind: a window counts as right where the damaged part of the bearing is named, "
+      types ? "By kind: a window counts as correct if the damaged part of the bearing is named, "
               "whatever the size of the defect. "
             : "",
       to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),

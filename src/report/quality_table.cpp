@@ -114,7 +114,8 @@ std::vector<Section> quality_sections(const run::Grid& grid, const run::Results&
       sections.push_back(place.of(
           {"quality-" + group.key + "-" + metric.name,
            "Quality of " + group.name + " on " + grid.dataset + ": " + metric.title,
-           metric.meaning + std::string(drawn ? " The paper draws it and gives no numbers." : ""),
+           metric.meaning +
+               std::string(drawn ? " The paper shows it in a figure without numbers." : ""),
            metric_table(methods, metric)}));
     }
   }

@@ -63,14 +63,15 @@ std::string tests_note(const RankTable& table) {
   }
   const std::size_t largest = table.methods.size() - 1;  // between the first and the last rank
   std::string note = fmt::format(
-      " p: Friedman's test (Iman and Davenport) of all methods being alike. Ranks of one ratio "
+      " p: Friedman's test (Iman and Davenport) of the hypothesis that all methods are equal. "
+      "Ranks of one ratio "
       "that "
       "differ by more than {:.2f} differ significantly at {} (Nemenyi; Demsar 2006){}. All cells "
-      "together have no test, since those of one seed are no independent repeats.",
+      "together are not tested, because cells of one seed are not independent repeats.",
       critical, significance_level,
       critical < static_cast<double>(largest)
           ? ""
-          : fmt::format(", which those of {} methods cannot", table.methods.size()));
+          : fmt::format(", but ranks of {} methods cannot differ that much", table.methods.size()));
   if (few) {
     note += fmt::format(" {} marks p values that so few seeds cannot make smaller than {}.",
                         mark_of_large_p, significance_level);
@@ -81,16 +82,15 @@ std::string tests_note(const RankTable& table) {
 std::string left_out_note(const RankTable& table) {
   if (table.left_out.empty() && table.has_every_seed) return "";
   const std::string names = fmt::format("{}", fmt::join(table.left_out, ", "));
-  return " Ranks are of the cells that all of these methods have" +
-         (names.empty() ? "" : "; left out, since they have too few: " + names) + ".";
+  return " Ranks use the cells that all of these methods have" +
+         (names.empty() ? "" : "; left out, because they have too few: " + names) + ".";
 }
 
 std::string note_of(const RankTable& table) {
   const auto is_tested = [](const RatioRanks& ratio) { return ratio.ranks.p.has_value(); };
   return "Rank of each method among the methods of the same seed, averaged over the seeds; 1 is "
-         "the "
-         "best, and equal ones share a rank. A ceiling does not compete; none does, at every ratio "
-         "with its one accuracy." +
+         "the best, and equal methods share a rank. Ceilings are not ranked; none is ranked at "
+         "every ratio with its one accuracy." +
          left_out_note(table) +
          (std::ranges::any_of(table.ratios, is_tested) ? tests_note(table) : "");
 }

@@ -85,16 +85,17 @@ std::vector<Section> recall_sections(const std::vector<AccuracyRow>& rows,
   const bool any_method = std::ranges::any_of(
       confusions, [](const auto& each) { return each.method != augment::no_method; });
   const std::string& dataset = rows.front().dataset;
-  return {{.key = "recall",
-           .title = "Windows of each class that are recognised on " + dataset +
-                    (any_method ? " at " + short_ratio_label(ratio) : "") + ", percent",
-           .note = "From /confusion of " + dataset + "/seed*/<method>/" +
-                   (any_method ? ratio : "<ratio>") + "/" + scoring::paper_classifier +
-                   "/diagnosis.h5, summed over seeds; none from its own ratio. Shaded where less "
-                   "than 80, 60, 40 and 20 % are recognised. Missed faults: windows with a fault "
-                   "that are taken for healthy ones; false alarms: healthy windows that are taken "
-                   "for a fault.",
-           .table = recall_of_methods(confusions, results.diagnoses.front().classes)}};
+  return {
+      {.key = "recall",
+       .title = "Windows of each class that are recognised on " + dataset +
+                (any_method ? " at " + short_ratio_label(ratio) : "") + ", percent",
+       .note =
+           "From /confusion of " + dataset + "/seed*/<method>/" + (any_method ? ratio : "<ratio>") +
+           "/" + scoring::paper_classifier +
+           "/diagnosis.h5, summed over seeds; none from its own ratio. Shaded where less "
+           "than 80, 60, 40 and 20 % are recognised. Missed faults: fault windows that are "
+           "classified as healthy; false alarms: healthy windows that are classified as a fault.",
+       .table = recall_of_methods(confusions, results.diagnoses.front().classes)}};
 }
 
 }  // namespace piae::report

@@ -20,12 +20,13 @@ constexpr NumberStyle in_points{.decimals = 1, .sign = true};
 
 /// Explains the table by effort.
 constexpr const char* about_efforts =
-    "Each line is the most accurate of those that take the same to be made or trained; a ceiling "
-    "is not among them. Behind: points minus the best; p, of what takes less than the best: "
-    "Wilcoxon's signed-rank test, two-sided and exact, with Holm's correction over these lines. "
-    "Recommended is the line that takes least and is not significantly worse than the best; the "
-    "best, where so few seeds cannot tell. Chosen and measured on the same test windows: expect a "
-    "little less elsewhere. What each step took here is in run.html of the run.";
+    "Each line is the most accurate of those with the same effort (what must be generated or "
+    "trained first), without ceilings. Behind: points minus the best; p, for lines with less "
+    "effort than the best: Wilcoxon's signed-rank test, two-sided and exact, with Holm's "
+    "correction over these lines. "
+    "The recommended line has the least effort and is not significantly worse than the best; it is "
+    "the best if there are too few seeds to decide. It is chosen and measured on the same test "
+    "windows, so expect slightly less elsewhere. run.html of the run shows what each step took.";
 
 /// Name of an effort in tables and its cost, by effort.
 struct EffortWords {
@@ -33,13 +34,13 @@ struct EffortWords {
   const char* costs;
 };
 constexpr std::array<EffortWords, 6> words_of_efforts{{
-    {"nothing", "It costs nothing beforehand: no window is generated, and nothing is trained."},
-    {"windows", "It costs the generating of windows; nothing is trained."},
-    {"classifier", "It costs the training of the classifier; no window is generated."},
+    {"nothing", "It needs no preparation: no window is generated, and nothing is trained."},
+    {"windows", "Windows must be generated; nothing is trained."},
+    {"classifier", "The classifier must be trained; no window is generated."},
     {"windows + classifier",
-     "It costs the training of the classifier; windows are generated without training."},
-    {"generator", "It costs the training of a generator; the classifier needs none."},
-    {"generator + classifier", "It costs the training of a generator and of the classifier."},
+     "The classifier must be trained; windows are generated without training."},
+    {"generator", "A generator must be trained; the classifier is not trained."},
+    {"generator + classifier", "A generator and the classifier must be trained."},
 }};
 
 const EffortWords& words_of(Effort effort) {
@@ -64,7 +65,7 @@ std::string what_to_take(const Recommendation& of) {
       row.method == augment::no_method
           ? "without any generated window"
           : fmt::format("with {} generated windows of each fault", row.generated_per_class);
-  return fmt::format("Recommended on {}: {}, right in {:.1f} % of the test windows ({}{}), {}.",
+  return fmt::format("Recommended on {}: {}, correct in {:.1f} % of the test windows ({}{}), {}.",
                      of.dataset, name_of(taken, of), row.summary.mean,
                      interval_words(row.summary, percent_style), counted_seeds(taken), windows);
 }
@@ -84,18 +85,18 @@ std::string listed_behind(const Recommendation& of, std::span<const Candidate> c
 /// Explains why the best is recommended.
 std::string why_the_best(const Recommendation& of) {
   if (of.compared == 1) return "Nothing else was compared.";
-  const std::string most =
-      fmt::format("It is the most accurate of the {} that were compared", of.compared);
+  const std::string most = fmt::format("It is the most accurate of the {} compared", of.compared);
   const std::span less = std::span(of.by_effort).first(of.best);
-  if (less.empty()) return most + ", and none takes less.";
+  if (less.empty()) return most + ", and none needs less.";
   if (!of.can_decide) {
     return fmt::format(
-        "{}. Whether what takes less is as good, {} cannot tell: {}. At least {} "
-        "seeds could.",
+        "{}. With {} it cannot be decided if those that need less are as good: {}. At least {} "
+        "seeds are needed.",
         most, counted_seeds(of.most_accurate()), listed_behind(of, less, false),
         of.seeds_to_decide());
   }
-  return most + ", and what takes less is significantly worse: " + listed_behind(of, less, true) +
+  return most +
+         ", and those that need less are significantly worse: " + listed_behind(of, less, true) +
          ".";
 }
 
@@ -104,14 +105,14 @@ std::string why_not_the_best(const Recommendation& of) {
   const PairedRow& behind = *of.recommended().behind;
   const std::span still_less = std::span(of.by_effort).first(of.taken);
   return fmt::format(
-             "The most accurate of the {} that were compared is {} ({:.1f} %), but {} is not "
-             "significantly worse ({} points, {}p {:.2g}), and takes less: {} instead of {}.",
+             "The most accurate of the {} compared is {} ({:.1f} %), but {} is not "
+             "significantly worse ({} points, {}p {:.2g}) and needs less: {} instead of {}.",
              of.compared, name_of(of.most_accurate(), of), of.most_accurate().row.summary.mean,
              name_of(of.recommended(), of), number_label(behind.paired.difference.mean, in_points),
              interval_words(behind.paired.difference, in_points), *behind.p_holm,
              words_of(of.recommended().effort).label, words_of(of.most_accurate().effort).label) +
          (still_less.empty() ? ""
-                             : " What takes still less is significantly worse: " +
+                             : " Those that need still less are significantly worse: " +
                                    listed_behind(of, still_less, true) + ".");
 }
 
@@ -127,9 +128,9 @@ std::string least_recognised(const Recommendation& of) {
     percent = recall.percent();
     least = of.classes[truth].name;
   }
-  return least.empty()
-             ? ""
-             : fmt::format(" Of the classes {} is recognised least, in {:.1f} %.", least, percent);
+  return least.empty() ? ""
+                       : fmt::format(" Class {} is recognised least, in {:.1f} % of its windows.",
+                                     least, percent);
 }
 
 std::string what_it_gets_wrong(const Recommendation& of) {
@@ -139,13 +140,13 @@ std::string what_it_gets_wrong(const Recommendation& of) {
   std::vector<std::string> parts;
   if (missed.of > 0) {
     parts.push_back(
-        fmt::format("{:.1f} % of the fault windows for healthy (missed faults)", missed.percent()));
+        fmt::format("{:.1f} % of the fault windows as healthy (missed faults)", missed.percent()));
   }
   if (alarms.of > 0) {
-    parts.push_back(fmt::format("{:.1f} % of the healthy {} for a fault (false alarms)",
+    parts.push_back(fmt::format("{:.1f} % of the healthy {} as a fault (false alarms)",
                                 alarms.percent(), missed.of > 0 ? "ones" : "windows"));
   }
-  return parts.empty() ? "" : "It takes " + listed(parts) + "." + least_recognised(of);
+  return parts.empty() ? "" : "It classifies " + listed(parts) + "." + least_recognised(of);
 }
 
 /// A line of the table by effort or by ratio.
@@ -235,7 +236,7 @@ std::vector<std::string> findings_of(const Recommendation& of) {
   std::vector<std::string> sentences = recommendation_sentences(of);
   if (!of.left_out.empty()) {
     sentences.push_back(
-        "Not compared, for they lack seeds that the others have: " + listed(of.left_out) + ".");
+        "Not compared, because they lack seeds that the others have: " + listed(of.left_out) + ".");
   }
   return sentences;
 }
@@ -304,17 +305,16 @@ std::vector<Section> recommendation_sections(const std::vector<Recommendation>& 
   if (all.size() > 1) {
     add({.key = "recommendation-ratios",
          .title = "Which method to take at each ratio on " + main->dataset,
-         .note = "Chosen as in the table above. Missed faults: percent of "
-                 "the fault windows that are taken for healthy; false alarms: of the healthy ones "
-                 "that are taken for a fault.",
+         .note = "Chosen as in the table above. Missed faults: percent of the fault windows that "
+                 "are classified as healthy; false alarms: percent of the healthy windows that are "
+                 "classified as a fault.",
          .table = table_by_ratio(all)});
   }
   if (main->recommended().confusion.classes > 0) {
     add({.key = "recommendation-recall",
          .title = "What " + name + " recognises on " + main->dataset + ", percent",
-         .note = fmt::format("Of the test windows of all seeds together. {} is what is "
-                             "recommended at {}.",
-                             name, main->ratio_label),
+         .note = fmt::format("Test windows of all seeds together. {} is recommended at {}.", name,
+                             main->ratio_label),
          .table = table_by_class(*main)});
   }
   return sections;

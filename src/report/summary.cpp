@@ -87,7 +87,7 @@ std::string how_to_read_overview(const ClassifierRows& block, std::size_t seeds)
   std::string text;
   if (reference.counterpart()) {
     text +=
-        fmt::format(" Numbers are ours/the paper's of {}.", reference.counterpart()->paper.title);
+        fmt::format(" Numbers are ours/the paper's for {}.", reference.counterpart()->paper.title);
     if (!reference.counterpart()->own) text += " " + std::string(reference.counterpart()->caution);
   }
   const bool any_fewer = std::ranges::any_of(

@@ -22,7 +22,8 @@ SweepPoint parse_point(const std::string& word, const std::vector<std::string>& 
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == word.size() ||
       word.find('/') != std::string::npos) {
-    throw Error(Exit::usage, "--points: '" + word + "' is not FACTOR=VALUE, such as batch=1");
+    throw Error(Exit::usage,
+                "--points: '" + word + "' is not FACTOR=VALUE; write one such as batch=1");
   }
   return {.factor = word.substr(0, equals),
           .value = word.substr(equals + 1),
@@ -146,10 +147,10 @@ std::string SweepPoint::folder(const std::string& method) const {
 void bind(const cli::Options& command, SweepOptions& options) {
   command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
   command.add("--method", options.method, "Method whose settings are moved");
-  command.add("--classifier", options.classifier, "Classifier that it is judged by");
+  command.add("--classifier", options.classifier, "Classifier that measures the effect");
   command.add("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")
       .required();
-  command.add("--centre", options.centre, "Those of them that are the method as the grid has it");
+  command.add("--centre", options.centre, "Those of --points that equal the settings of the grid");
   command.add("--ratios", options.ratios, "Ratios, such as: 10to1 1to1").required();
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
@@ -169,7 +170,7 @@ Sweep resolve(const SweepOptions& options) {
   if (!options.centre.empty()) centre = run::split_list("--centre", options.centre);
   for (const std::string& word : centre) {
     if (std::ranges::find(words, word) == words.end()) {
-      throw Error(Exit::usage, "--centre: '" + word + "' is none of --points");
+      throw Error(Exit::usage, "--centre: '" + word + "' is not one of --points");
     }
   }
   if (sweep.method != augment::paper_method()) {
@@ -202,7 +203,7 @@ std::string fewer_seeds_note(const std::vector<SweepRow>& rows, std::size_t all)
   const auto has_fewer = [&](const SweepRow& row) { return row.accuracy.seeds.size() < all; };
   if (std::ranges::none_of(rows, has_fewer)) return "";
   return fmt::format(
-      "{} marks what is of fewer seeds than others of its table; the CSV file says of how many.",
+      "{} marks numbers of fewer seeds than others of the table; the CSV file has their number.",
       mark_of_fewer_seeds);
 }
 
@@ -226,8 +227,8 @@ Document sweep_document(const Sweep& sweep, const std::vector<SweepRow>& rows,
   const std::vector<std::int64_t> seeds = seeds_of_any_row(rows);
   const std::string fewer = fewer_seeds_note(rows, seeds.size());
   document.paragraphs.push_back(fmt::format(
-      "Accuracy in percent where one setting is moved and all others are those of the grid (paper, "
-      "Section 4.5.5 and Fig. 19, which publishes no numbers). Split protocol {}; {} ({}). "
+      "Accuracy in percent with one setting moved and all others as in the grid (paper, Section "
+      "4.5.5 and Fig. 19, which does not give numbers). Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}{}",
       to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),
       seed_list(seeds), about_intervals, fewer.empty() ? "" : " " + fewer));

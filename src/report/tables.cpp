@@ -24,17 +24,17 @@ std::string ceiling_note(const run::Grid& grid) {
     return augment::is_ceiling(cell.method);
   };
   if (std::ranges::none_of(grid.combinations, of_ceiling)) return "";
-  return " The oracle is no method but a ceiling: it takes real windows that no method may see in "
-         "the place of generated ones, and has no quality, which would compare them with "
+  return " The oracle is a ceiling, not a method: instead of generated windows it uses real ones "
+         "that no method may see. It has no quality, because real windows would be compared with "
          "themselves.";
 }
 
 std::string how_to_read(const run::Grid& grid, const std::string& protocol) {
   return fmt::format(
-      "Split protocol {}; {} ({}), each with a split, a generator and a classifier of its "
-      "own. Numbers are the mean ± the sample standard deviation over the seeds. {} Ratios are "
-      "healthy windows to those of each fault class, as the paper names them; where the true one "
-      "differs, it follows in brackets.{}",
+      "Split protocol {}; {} ({}), each with its own split, generator and classifier. Numbers are "
+      "the mean ± the sample standard deviation over the seeds. {} Ratios are healthy windows to "
+      "windows of each fault class, as named in the paper; the true ratio follows in brackets if "
+      "it differs.{}",
       protocol, counted(grid.seeds.size(), "seed"), seed_list(grid.seeds), about_intervals,
       ceiling_note(grid));
 }

@@ -118,7 +118,7 @@ std::vector<InputChoice> parse_inputs(const std::string& option,
     }
     const bool is_requested = std::ranges::count(methods, choice.method) > 0;
     if (is_requested && std::ranges::count(classifiers, choice.classifier) == 0) {
-      throw Error(Exit::usage, "--classifiers: must have " + choice.classifier + ", which " +
+      throw Error(Exit::usage, "--classifiers: must include " + choice.classifier + ", which " +
                                    option + " names for " + choice.method);
     }
     choices.push_back(choice);
@@ -137,14 +137,13 @@ void require_same_methods(const GroupChoices& choices) {
   if (choices.type_inputs.empty()) return;
   if (methods_of(choices.type_inputs) == methods_of(choices.inputs)) return;
   throw Error(Exit::usage,
-              "--kind-inputs: must name an input of each method that --inputs names "
-              "one of, and of no other");
+              "--kind-inputs: must name one input for each method of --inputs, and for no other");
 }
 
 /// Returns the names of the ratios to read: the requested one, and 100to1 for `none`.
 std::vector<std::string> ratios_with(const std::string& ratio) {
   if (scoring::find_ratio(ratio).generated_per_class == 0) {
-    throw Error(Exit::usage, "--ratio " + ratio + ": generates nothing; name another");
+    throw Error(Exit::usage, "--ratio " + ratio + ": no window is generated there; choose another");
   }
   std::vector<std::string> names{ratio};
   for (const scoring::Ratio& each : scoring::all_ratios()) {
@@ -193,7 +192,7 @@ signal::Protocol protocol_of(const std::vector<run::Grid>& grids,
     if (own == first) continue;
     throw Error(Exit::bad_input, grids[i].dataset + ": the split is " + to_string(own) + ", and " +
                                      to_string(first) + " of " + grids.front().dataset +
-                                     "; a mean over datasets needs the same of all");
+                                     "; a mean over data sets needs the same for all");
   }
   return first;
 }
@@ -206,13 +205,13 @@ InputChoice parse_input_choice(const std::string& word) {
     throw Error(Exit::usage, "'" + word + "' " + why);
   };
   if (equals == std::string::npos) {
-    refuse("is not METHOD=CLASSIFIER, such as none=wdcnn-spectrum");
+    refuse("is not METHOD=CLASSIFIER; write one such as none=wdcnn-spectrum");
   }
   InputChoice choice{word.substr(0, equals), word.substr(equals + 1)};
-  if (augment::find_entry(choice.method) == nullptr) refuse("names a method that there is not");
+  if (augment::find_entry(choice.method) == nullptr) refuse("names an unknown method");
   const diagnosis::Classifier* const classifier = diagnosis::find_classifier(choice.classifier);
   if (classifier == nullptr || !classifier->trains()) {
-    refuse("names no classifier that is trained; such are " + trained_classifiers());
+    refuse("does not name a trained classifier; choose from: " + trained_classifiers());
   }
   return choice;
 }
@@ -275,7 +274,7 @@ AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows) {
       throw Error(Exit::bad_input, run::name_by(row.method, row.classifier) + ": " + row.dataset +
                                        " has the seeds " + seed_list(row.seeds) + ", and " +
                                        rows.front().dataset + " has " + seed_list(mean.seeds) +
-                                       "; a mean over datasets needs the same of all");
+                                       "; a mean over data sets needs the same for all");
     }
     for (std::size_t i = 0; i < row.values.size(); ++i) {
       mean.values[i] += row.values[i] / static_cast<double>(rows.size());
@@ -303,15 +302,16 @@ TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows
 
 void bind(const cli::Options& command, TransferOptions& options) {
   command.add("--datasets", options.datasets, "Datasets of the group").required();
-  command.add("--against", options.against, "Method that all others are subtracted from")
+  command
+      .add("--against", options.against, "Reference method, from which all others are subtracted")
       .required();
   command
       .add("--inputs", options.inputs,
-           "Which classifier each method is shown with, such as: none=wdcnn-spectrum; a method "
-           "without one stands in the table by input alone")
+           "Classifier of each method, such as: none=wdcnn-spectrum; a method without one appears "
+           "only in the table by input")
       .required();
   command.add("--kind-inputs", options.type_inputs,
-              "The same for telling the kind of defect, whatever its size; without: as --inputs");
+              "The same for the fault type, whatever its size; default: --inputs");
   command.add("--methods", options.methods, "Methods, such as: none smote").required();
   command
       .add("--ratio", options.ratio,
@@ -319,7 +319,7 @@ void bind(const cli::Options& command, TransferOptions& options) {
       .required();
   command
       .add("--classifiers", options.classifiers,
-           "Classifiers, such as: wdcnn wdcnn-spectrum; none also needs its cell of nearest")
+           "Classifiers, such as: wdcnn wdcnn-spectrum; none also needs its cell by nearest")
       .required();
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }

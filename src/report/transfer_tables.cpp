@@ -46,14 +46,14 @@ std::string keyed(Question question, const std::string& key) {
 
 std::string about_mean(const TransferGroup& group, Question question) {
   if (question == Question::by_class) {
-    return "Shown: what WDCNN is given of each window, as it was chosen for the method on other "
-           "seeds, so that no number here is the best of several.";
+    return "Shown: the input of WDCNN, chosen for each method on other seeds, so that no number "
+           "here is the best of several.";
   }
   return std::string(
-             "A fault that is taken for another of the same kind of defect, such as one of "
-             "another size, counts as right. Shown: ") +
+             "A fault that is classified as another of the same type, such as one of another size, "
+             "counts as correct. Shown: ") +
          (group.choices.type_inputs.empty() ? "as above."
-                                            : "as above, but chosen for telling kinds.");
+                                            : "as above, but chosen for fault types.");
 }
 
 Section mean_section(const TransferGroup& group, Question question) {
@@ -70,7 +70,7 @@ Section mean_section(const TransferGroup& group, Question question) {
 
 Section difference_section(const TransferGroup& group) {
   return {"difference", "Mean of " + group.choices.against + " minus that of each other, points",
-          paired_note(group.differences, "Each is of the input shown above."),
+          paired_note(group.differences, "Each uses the input shown above."),
           paired_table(group.differences)};
 }
 
@@ -147,9 +147,9 @@ std::string about_inputs(const TransferGroup& group, Question question) {
   const std::string best = "The best here are: " + best_inputs(group, question);
   if (question == Question::by_type) return "As above. " + best;
   return fmt::format(
-      "{} is the input that was chosen on other seeds, and that all other tables show; {} the best "
-      "of WDCNN's in this very run: what to record where these seeds are for choosing, and no "
-      "result where they are not. Lost: by how many points the first is below the second. {}",
+      "{} marks the input that was chosen on other seeds, which all other tables show; {} marks "
+      "the best input of WDCNN in this run: record it if these seeds are for choosing; otherwise "
+      "it is not a result. Lost: points by which the first is below the second. {}",
       mark_of_recorded, mark_of_best, best);
 }
 
@@ -178,8 +178,8 @@ std::string about(const TransferGroup& group) {
       group.rows, {}, [](const GroupRow& row) { return row.mean.row.generated_per_class; });
   const AccuracyRow& row = generated->mean.row;
   return fmt::format(
-      "What each method is worth where faults are known in one condition of the machine and tested "
-      "in another: the mean over {}, with {} generated windows of each fault ({}), seed{} {}, "
+      "Accuracy of each method if faults are known in one condition of the machine and tested in "
+      "another: the mean over {}, with {} generated windows of each fault ({}), seed{} {}, "
       "split {}. For each seed the accuracy is first averaged over the data sets; numbers are the "
       "mean ± the sample standard deviation over the seeds. {}",
       fmt::join(group.datasets, ", "), row.generated_per_class, short_ratio_label(row.ratio),
@@ -193,8 +193,8 @@ std::string about_missing_choices(const TransferGroup& group) {
   for (const GroupRow* const row : group.recorded()) std::erase(without, row->method);
   if (without.empty()) return "";
   return fmt::format(
-      "No input is recorded in [transfer.{}] of pipeline/protocol.toml for {}: see the table by "
-      "input alone.",
+      "[transfer.{}] of pipeline/protocol.toml does not record an input for {}: see the table by "
+      "input.",
       group.choices.group, fmt::join(without, ", "));
 }
 

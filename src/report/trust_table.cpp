@@ -111,8 +111,8 @@ Section calibration_section(const std::vector<TrustRow>& rows) {
           .title = "How sure a classifier says it is, and how often it is right, percent",
           .note =
               "Expected calibration error over ten bins of the test windows (Guo et al. 2017): "
-              "as the softmax says, and with the temperature that was found on windows left "
-              "out of trainings of their own, none of which is tested.",
+              "by the softmax as it is, and with the temperature, which was found on windows left "
+              "out of separate trainings, none of which is tested.",
           .table = columns.table(rows)};
 }
 
@@ -132,11 +132,10 @@ Section unknown_section(const std::vector<TrustRow>& rows) {
   return {.key = "unknown",
           .title = "Windows that look like nothing that was trained",
           .note =
-              "Percent of the test windows, all of whose classes were trained, that are called "
-              "unknown. And if one class of fault at a time had not been trained: the area "
-              "under the receiver's operating characteristic of its windows against the "
-              "others, and percent of its windows that are called unknown, in the mean over "
-              "the classes.",
+              "Percent of the test windows that are called unknown although their classes were "
+              "trained. Then, with one fault class at a time left out of the training: the area "
+              "under the receiver operating characteristic of its windows against the others, and "
+              "the percent of its windows that are called unknown, averaged over the classes.",
           .table = table};
 }
 
@@ -163,8 +162,8 @@ Section class_section(const std::vector<TrustRow>& rows) {
   return {.key = "unknown-classes",
           .title = "The same, class by class",
           .note =
-              "What is compared with are the real windows of the training set; where these are "
-              "those of a method above, and so are the areas, it is not shown again.",
+              "The comparison uses the real windows of the training set. A method with the same "
+              "real windows and areas as one above is not shown again.",
           .table = table};
 }
 
@@ -215,7 +214,7 @@ std::string trust_csv(const std::string& dataset, const std::vector<TrustRow>& r
 Document trust_document(const std::string& dataset, const std::vector<TrustRow>& rows) {
   return {.key = dataset + "-trust",
           .title = dataset + ": how far kept classifiers are to be believed",
-          .paragraphs = {"Of the classifiers that were kept, on the test windows A. Means and "
+          .paragraphs = {"Kept classifiers on the test windows A. Means and "
                          "standard deviations over the seeds."},
           .sections = {calibration_section(rows), unknown_section(rows), class_section(rows)}};
 }

@@ -77,9 +77,9 @@ std::vector<Section> twin_sections(const run::Layout& layout, const run::Grid& g
   }
   if (!any) return {};
   return {{"twins", "How the trainings of the twins ended on " + grid.dataset,
-           "Losses are means of the last epoch. Behind each weight of eq. 23 stands the part that "
-           "it has reached of its stationary point 1 / (2 L): 1 where it is there. Open are known "
-           "windows whose contact (eq. 22) touches nothing at rest.",
+           "Losses are means of the last epoch. The column after each weight of eq. 23 is the "
+           "weight divided by its stationary point 1 / (2 L): 1 means that it is reached. Open: "
+           "known windows whose contact (eq. 22) does not touch at rest.",
            table}};
 }
 

@@ -67,10 +67,10 @@ std::string of_few_seeds(std::vector<AccuracyRow> gains, const AccuracyRow& base
   const std::size_t seeds = baseline.values.size();
   std::erase_if(gains, [](const AccuracyRow& gain) { return augment::is_ceiling(gain.method); });
   return fmt::format(
-      "With {} generated windows of each fault, and measured in points against the {:.1f} without "
-      "any: {}{}. {}, too few to tell an effect from chance.",
+      "With {} generated windows of each fault, in points against the {:.1f} % without any: {}{}. "
+      "{}, too few to distinguish an effect from chance.",
       generated, baseline.summary.mean, with_points(gains, seeds), ceiling,
-      seeds == 1 ? "This is of one seed" : "These are of two seeds");
+      seeds == 1 ? "This is one seed" : "These are two seeds");
 }
 
 std::string effects_of_methods(std::vector<AccuracyRow> gains, const AccuracyRow& baseline) {
@@ -80,7 +80,7 @@ std::string effects_of_methods(std::vector<AccuracyRow> gains, const AccuracyRow
                            [](const AccuracyRow& gain) { return gain.summary.mean; });
   for (const AccuracyRow& gain : gains) {
     if (augment::is_ceiling(gain.method)) {
-      ceiling = fmt::format("; real windows in their place ({}) would give {:+.1f}", gain.method,
+      ceiling = fmt::format("; real windows instead ({}) would give {:+.1f}", gain.method,
                             gain.summary.mean);
     } else {
       by_effect[static_cast<std::size_t>(effect_of(gain))].push_back(gain);
@@ -98,8 +98,8 @@ std::string effects_of_methods(std::vector<AccuracyRow> gains, const AccuracyRow
     parts.push_back(with_points(by_effect[i], seeds) + ' ' + verb);
   }
   return fmt::format(
-      "With {} generated windows of each fault, and measured in points against the {:.1f} without "
-      "any ({} seeds), {}{}.",
+      "With {} generated windows of each fault, in points against the {:.1f} % without any ({} "
+      "seeds), {}{}.",
       gains.front().generated_per_class, baseline.summary.mean, seeds, listed(parts), ceiling);
 }
 
@@ -145,15 +145,15 @@ std::string why_it_falls_short(const run::Results& results, const std::vector<Ac
   const std::string measured = against_real(results, method);
   if (beginning.empty() || measured.empty()) return "";
   return fmt::format(
-      "{} describes a window by stiffness and damping, which do not say at which angle of "
-      "the shaft it starts, so it learns little more than the mean of a class: its windows are {}.",
+      "{} describes a window by stiffness and damping, which do not fix the shaft angle at which "
+      "it starts, so it learns little more than the mean of a class: its windows are {}.",
       beginning, measured);
 }
 
 std::string without_any_of_this(const AccuracyRow& reference_row) {
   return fmt::format(
-      "The classifier {}, {}, is right in {:.1f} % of the test windows with the known windows "
-      "alone.",
+      "The classifier {}, {}, is correct in {:.1f} % of the test windows with the known windows "
+      "only.",
       reference_row.classifier, diagnosis::the_classifier(reference_row.classifier).what,
       reference_row.summary.mean);
 }
@@ -195,8 +195,8 @@ std::string most_accurate_without_known(const std::vector<AccuracyRow>& rows) {
   };
   add_best("with generated windows", is_of_method);
   add_best("by a rule", is_rule);
-  add_best("with real windows in their place", is_of_ceiling);
-  return parts.empty() ? "" : "Right in most test windows: " + listed(parts) + ".";
+  add_best("with real windows instead", is_of_ceiling);
+  return parts.empty() ? "" : "Most accurate: " + listed(parts) + ".";
 }
 
 Effect effect_of(const AccuracyRow& gain) {

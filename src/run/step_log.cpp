@@ -66,7 +66,10 @@ void read_line_of(const std::string& program, const std::string& line, StepLog& 
 }
 
 void read_line(const std::string& line, const std::string& program, StepLog& log) {
-  if (const auto started = number_between(line, "step: begun at ", "")) log.started_s = started;
+  // Older logs have "begun".
+  for (const std::string_view start : {"step: started at ", "step: begun at "}) {
+    if (const auto started = number_between(line, start, "")) log.started_s = started;
+  }
   // Waiting in a queue does not count as run time.
   if (const auto waited = number_between(line, "step: waited ", " s"); waited && log.started_s) {
     *log.started_s += *waited;

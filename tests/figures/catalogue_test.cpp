@@ -39,7 +39,7 @@ TEST(Catalogue, HasAFigureForEachScript) {
   }
 }
 
-TEST(Catalogue, SaysOfEachFigureHowToReadItAndWhereItsNumbersComeFrom) {
+TEST(Catalogue, HasACaptionAndASourceForEachFigure) {
   std::set<std::string> names;
   for (const Figure& figure : catalogue()) {
     EXPECT_TRUE(names.insert(figure.name).second) << "twice: " << figure.name;

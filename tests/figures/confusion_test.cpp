@@ -11,7 +11,7 @@ using testing::Not;
 
 using Confusion = DiagnosedWindows;
 
-TEST_F(Confusion, IsSummedOverTheSeedsAndInPercentOfEachTrueClass) {
+TEST_F(Confusion, SumsSeedsInPercentOfEachTrueClass) {
   add_two_seeds();
   Source two = source("vae", "10to1 2to1");
   const Numbers numbers = confusions(two);
@@ -23,7 +23,7 @@ TEST_F(Confusion, IsSummedOverTheSeedsAndInPercentOfEachTrueClass) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,OR,Normal", 5), "0");
 }
 
-TEST_F(Confusion, IsThatOfTheMostGeneratedWindowsAndOfNone) {
+TEST_F(Confusion, ShowsTheMostGeneratedWindowsAndNone) {
   add_two_seeds();
   for (const int seed : {0, 1}) add(record_of("none", "100to1", 0, seed, {0, 1}, {0, 0}));
   Source all = source("none vae", "100to1 10to1 2to1");
@@ -32,7 +32,7 @@ TEST_F(Confusion, IsThatOfTheMostGeneratedWindowsAndOfNone) {
   EXPECT_EQ(field(numbers, "none,0,100to1,IR,Normal", 5), "2");
 }
 
-TEST_F(Confusion, HasNoRowsOfAClassWithoutTestWindows) {
+TEST_F(Confusion, OmitsAClassWithoutTestWindows) {
   add(record_of("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
   Source one = source("vae", "2to1", "0");
   EXPECT_THAT(confusions(one).csv(), Not(HasSubstr(",OR,Normal")));
@@ -45,14 +45,14 @@ TEST_F(Confusion, IsLeftOutWithoutACellByThePapersClassifier) {
   EXPECT_THROW(confusions(one), LeftOut);
 }
 
-TEST_F(Confusion, NamesTheDiagnosisThatIsMissing) {
+TEST_F(Confusion, NamesAMissingDiagnosis) {
   add_two_seeds();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));
   Source two = source("vae", "10to1 2to1");
   EXPECT_ERROR(confusions(two), Exit::input_missing, "seed1/vae/2to1/wdcnn/diagnosis.h5");
 }
 
-TEST_F(Confusion, DoesNotSumWhatHasOtherClassesOrAnotherSplit) {
+TEST_F(Confusion, RefusesOtherClassesOrAnotherSplit) {
   add_two_seeds();
   Source two = source("vae", "2to1");
   scoring::DiagnosisRecord other = record_of("vae", "2to1", 145, 1, {0, 1}, {0, 1});

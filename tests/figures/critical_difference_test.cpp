@@ -28,7 +28,7 @@ class CriticalDifference : public StoredSource {
 
 /// By hand: the same order of three, five times, gives p = 1 / 6^4; the difference is 2.3437
 /// sqrt(12 / 30).
-TEST_F(CriticalDifference, HasTheMethodsBestFirstAndTheTest) {
+TEST_F(CriticalDifference, ListsTheBestMethodFirstAndTheTest) {
   add_seeds(5);
   const Numbers numbers = numbers_of("0 1 2 3 4");
   EXPECT_EQ(field(numbers, "10to1,method,shift", 3), "1");
@@ -41,7 +41,7 @@ TEST_F(CriticalDifference, HasTheMethodsBestFirstAndTheTest) {
 }
 
 /// Neighbours are one rank apart, the ends two, more than 1.48.
-TEST_F(CriticalDifference, JoinsWhatIsNotFartherApart) {
+TEST_F(CriticalDifference, JoinsMethodsWithinTheCriticalDifference) {
   add_seeds(5);
   const Numbers numbers = numbers_of("0 1 2 3 4");
   EXPECT_EQ(field(numbers, "10to1,alike,,1", 4), "1");
@@ -52,7 +52,7 @@ TEST_F(CriticalDifference, JoinsWhatIsNotFartherApart) {
 }
 
 /// Two seeds: the difference is 2.34, more than the distance between the ends.
-TEST_F(CriticalDifference, HasOneBarWhereAllAreAlike) {
+TEST_F(CriticalDifference, HasOneBarIfAllMethodsAreEqual) {
   add_seeds(2);
   const Numbers numbers = numbers_of("0 1");
   EXPECT_EQ(field(numbers, "10to1,alike,,1", 4), "1");
@@ -60,7 +60,7 @@ TEST_F(CriticalDifference, HasOneBarWhereAllAreAlike) {
   EXPECT_EQ(field(numbers, "10to1,alike,,2", 4), "no row");
 }
 
-TEST_F(CriticalDifference, OfOneSeedHasNoTestAndNoBars) {
+TEST_F(CriticalDifference, HasNoTestForOneSeed) {
   add_seeds(1);
   const Numbers numbers = numbers_of("0");
   EXPECT_EQ(field(numbers, "10to1,method,none", 7), "");
@@ -79,7 +79,7 @@ TEST_F(CriticalDifference, IsLeftOutWithLessThanTwoMethods) {
   EXPECT_THROW(critical_differences(one, one.accuracies().front()), LeftOut);
 }
 
-TEST_F(CriticalDifference, NamesTheFirstCellThatIsMissing) {
+TEST_F(CriticalDifference, NamesTheFirstMissingCell) {
   add_seeds(1);
   EXPECT_ERROR(numbers_of("0 1"), Exit::input_missing, "method none, ratio 100to1, seed 1");
 }

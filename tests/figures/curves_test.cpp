@@ -33,7 +33,7 @@ TEST_F(CurvesOfAModel, GiveEachEpochItsStage) {
   EXPECT_EQ(field(losses, "1,2,3,reconstruction", 4), "2");
 }
 
-TEST_F(CurvesOfAModel, AreFollowedByTheirMeanOverTheSeeds) {
+TEST_F(CurvesOfAModel, EndWithTheMeanOverTheSeeds) {
   add_model(0, 1, "1");
   add_model(1, 2, "1");
   Source both = source("piae-dt", "10to1");
@@ -42,7 +42,7 @@ TEST_F(CurvesOfAModel, AreFollowedByTheirMeanOverTheSeeds) {
 }
 
 /// L_Rec falls from 4 to 1, or from 8 to 2; the means are 6 and 1.5.
-TEST_F(CurvesOfAModel, OfTheWeightsHaveTheirStationaryPointBeside) {
+TEST_F(CurvesOfAModel, ShowTheStationaryPointOfEachWeight) {
   add_model(0, 1, "1");
   add_model(1, 2, "1");
   Source both = source("piae-dt", "10to1");
@@ -57,7 +57,7 @@ TEST_F(CurvesOfAModel, NeedThePapersMethodInTheGrid) {
   EXPECT_ERROR(loss_curves(others), Exit::input_missing, "piae-dt");
 }
 
-TEST_F(CurvesOfAModel, NameTheModelThatIsMissing) {
+TEST_F(CurvesOfAModel, NameAMissingModel) {
   add_model(0, 1, "1");
   Source both = source("piae-dt", "10to1");
   EXPECT_ERROR(loss_curves(both), Exit::input_missing, "seed1/piae-dt/model.h5");

@@ -50,7 +50,7 @@ class FeatureMaps : public StoredRun {
   Source source_{layout_, grid_, {}};
 };
 
-TEST_F(FeatureMaps, HaveEachMethodAtItsLastRatioAndAllWindowsByClass) {
+TEST_F(FeatureMaps, ShowEachMethodAtItsLastRatio) {
   save_all();
   const CsvRows rows(hidden_map(source_));
   EXPECT_THAT(rows.header(),
@@ -62,7 +62,7 @@ TEST_F(FeatureMaps, HaveEachMethodAtItsLastRatioAndAllWindowsByClass) {
   }
 }
 
-TEST_F(FeatureMaps, KeepCloudsApart) {
+TEST_F(FeatureMaps, KeepClustersApart) {
   save_all();
   const CsvRows rows(hidden_map(source_));
   const auto inner = rows.where({{"method", "vae"}, {"class", "IR"}});
@@ -76,7 +76,7 @@ TEST_F(FeatureMaps, KeepCloudsApart) {
   }
 }
 
-TEST_F(FeatureMaps, SayHowFarTheyCanBeTrusted) {
+TEST_F(FeatureMaps, ReportTheirTrustworthiness) {
   save_all();
   const scoring::Features features = two_clouds();
   embedding::Points points(20, 3);
@@ -91,19 +91,19 @@ TEST_F(FeatureMaps, SayHowFarTheyCanBeTrusted) {
               embedding::trustworthiness(points, map.points, 9), 6e-4);
 }
 
-TEST_F(FeatureMaps, NameTheFileThatIsMissing) {
+TEST_F(FeatureMaps, NameAMissingFile) {
   save_features(record("none", "100to1", 0));
   EXPECT_ERROR(hidden_map(source_), Exit::input_missing,
                layout_.features("vae", "2to1", 0).string());
 }
 
-TEST_F(FeatureMaps, NameTheFileThatHasNone) {
+TEST_F(FeatureMaps, NameAFileWithoutFeatures) {
   save_all();
   save_features(diagnosis("vae", "2to1", 145, 0, 10));
   EXPECT_ERROR(hidden_map(source_), Exit::bad_input, "--keep-features");
 }
 
-TEST_F(FeatureMaps, NameTheFileOfAnotherCell) {
+TEST_F(FeatureMaps, NameAFileOfAnotherCell) {
   save_all();
   save("diagnosis", record("vae", "10to1", 45), layout_.features("vae", "2to1", 0));
   EXPECT_ERROR(hidden_map(source_), Exit::bad_input, layout_.features("vae", "2to1", 0).string());

@@ -49,14 +49,14 @@ class FigureFiles : public StoredRun {
   Figure figure_ = figure("fig");
 };
 
-TEST_F(FigureFiles, AreOneOfTheFiguresNameWhereItHasOnePicture) {
+TEST_F(FigureFiles, HaveTheNameOfAFigureWithOnePicture) {
   figure_.numbers = one;
   save_pictures(source_, figure_);
   EXPECT_EQ(bytes_of(file("fig")), "value\n1\n");
   EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig"));
 }
 
-TEST_F(FigureFiles, OfAccuraciesAreOneForEachClassifier) {
+TEST_F(FigureFiles, ShowAccuraciesForEachClassifier) {
   add_all();
   figure_.accuracies = first_mean;
   EXPECT_THAT(save_pictures(source_, figure_), ElementsAre(file("fig")));
@@ -72,7 +72,7 @@ TEST_F(FigureFiles, OfAccuraciesAreOneForEachClassifier) {
 }
 
 /// If no fault is known, a run may have only rules and symptom-net.
-TEST_F(FigureFiles, OfAccuraciesDoNotNeedThePapersClassifier) {
+TEST_F(FigureFiles, ShowAccuraciesWithoutThePapersClassifier) {
   for (const int seed : {0, 1}) add(by("symptom-net", diagnosis("vae", "10to1", 45, seed, 18)));
   figure_.accuracies = first_mean;
   Source other{layout_, {.dataset = dataset_, .scored = {}, .combinations = {}, .seeds = {}}, {}};
@@ -88,7 +88,7 @@ TEST_F(FigureFiles, AreOneForEachPart) {
   EXPECT_THAT(stored_pictures(layout_, figure_), ElementsAre("fig@a", "fig@b"));
 }
 
-TEST_F(FigureFiles, OfPartsThatAreNoMoreAreRemovedWithTheirPictures) {
+TEST_F(FigureFiles, AreRemovedWithThePicturesOfRemovedParts) {
   figure_.pictures = two;
   save_pictures(source_, figure_);
   draw("fig@a");
@@ -102,7 +102,7 @@ TEST_F(FigureFiles, OfPartsThatAreNoMoreAreRemovedWithTheirPictures) {
   EXPECT_FALSE(fs::exists(file("fig@b").replace_extension(".pdf")));
 }
 
-TEST_F(FigureFiles, OfAFigureThatCannotBeMadeAreRemoved) {
+TEST_F(FigureFiles, AreRemovedIfTheFigureCannotBeMade) {
   figure_.numbers = one;
   save_pictures(source_, figure_);
   draw("fig");
@@ -112,7 +112,7 @@ TEST_F(FigureFiles, OfAFigureThatCannotBeMadeAreRemoved) {
   EXPECT_FALSE(fs::exists(file("fig").replace_extension(".svg")));
 }
 
-TEST_F(FigureFiles, OfOtherFiguresStay) {
+TEST_F(FigureFiles, StayForOtherFigures) {
   Figure longer = figure("fig-b");
   longer.numbers = one;
   save_pictures(source_, longer);
@@ -122,7 +122,7 @@ TEST_F(FigureFiles, OfOtherFiguresStay) {
   EXPECT_THAT(stored_pictures(layout_, longer), ElementsAre("fig-b"));
 }
 
-TEST_F(FigureFiles, ThatWouldNotChangeAreLeftAsTheyAre) {
+TEST_F(FigureFiles, AreNotRewrittenIfUnchanged) {
   figure_.numbers = one;
   save_pictures(source_, figure_);
   const fs::file_time_type old = fs::last_write_time(file("fig")) - std::chrono::hours(1);

@@ -20,7 +20,7 @@ TEST_F(Gains, AreAccuraciesMinusThoseOfTheSameSeedWithoutGeneratedWindows) {
   EXPECT_EQ(field(gains, "vae,0,2to1,145,mean", 5), "27.5");
 }
 
-TEST_F(Gains, HaveAnIntervalFromThreeSeedsOn) {
+TEST_F(Gains, HaveAnIntervalForThreeSeedsOrMore) {
   add_all();
   Source two = source("none vae", "100to1 10to1");
   EXPECT_EQ(field(gains_of_methods(two, two.accuracies().front()), "vae,0,10to1,45,mean", 6), "");
@@ -33,7 +33,7 @@ TEST_F(Gains, HaveAnIntervalFromThreeSeedsOn) {
   EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 7), "27.4207");
 }
 
-TEST_F(Gains, SayOfWhatThePublishedOnesAre) {
+TEST_F(Gains, NameTheSourceOfPublishedGains) {
   add_all();
   write_published_tables(folder_);
   Source all{layout_, grid("none vae", "100to1 10to1 2to1"), report::Published(folder_.path())};
@@ -43,7 +43,7 @@ TEST_F(Gains, SayOfWhatThePublishedOnesAre) {
   EXPECT_EQ(field(gains, "vae,0,10to1,45,mean", 9), "");
 }
 
-TEST_F(Gains, ShowACeilingAsOne) {
+TEST_F(Gains, MarkACeiling) {
   add_baseline();
   add_method("vae");
   for (const int seed : {0, 1}) add(diagnosis("oracle", "10to1", 45, seed, 20));
@@ -52,21 +52,21 @@ TEST_F(Gains, ShowACeilingAsOne) {
             "37.5");
 }
 
-TEST_F(Gains, OfTheModelsNeedAnAblation) {
+TEST_F(Gains, NeedAnAblationForTheModels) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
   EXPECT_ERROR(gains_of_models(all, all.accuracies().front()), Exit::input_missing, "ablation");
 }
 
 // Numbers without rows cannot be drawn.
-TEST_F(Gains, OfTheMethodsNeedOneThatIsNoAblation) {
+TEST_F(Gains, NeedAMethodThatIsNotAnAblation) {
   add_baseline();
   for (const int seed : {0, 1}) add(diagnosis("ae", "10to1", 45, seed, 15));
   Source all = source("none ae", "100to1 10to1");
   EXPECT_ERROR(gains_of_methods(all, all.accuracies().front()), Exit::input_missing, "no method");
 }
 
-TEST_F(Gains, NameTheFirstCellThatIsMissing) {
+TEST_F(Gains, NameTheFirstMissingCell) {
   add_all();
   std::filesystem::remove(layout_.diagnosis("vae", "2to1", 1));
   Source all = source("none vae", "100to1 10to1 2to1");
@@ -74,7 +74,7 @@ TEST_F(Gains, NameTheFirstCellThatIsMissing) {
                "method vae, ratio 2to1, seed 1");
 }
 
-TEST_F(Gains, AccuraciesHaveTheBaselineToo) {
+TEST_F(Gains, AccuraciesIncludeTheBaseline) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
   const Numbers rows = accuracies(all, all.accuracies().front());
@@ -83,7 +83,7 @@ TEST_F(Gains, AccuraciesHaveTheBaselineToo) {
 }
 
 // The baseline that a method must exceed, with the name of its classifier.
-TEST_F(Gains, AccuraciesHaveTheBarWhereItIsKnown) {
+TEST_F(Gains, AccuraciesIncludeNearestIfItIsKnown) {
   add_all();
   for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
   Source all = source("none vae", "100to1 10to1");
@@ -93,7 +93,7 @@ TEST_F(Gains, AccuraciesHaveTheBarWhereItIsKnown) {
   EXPECT_EQ(field(gains_of_methods(all, all.accuracies().front()), "nearest", 5), "no row");
 }
 
-TEST_F(Gains, AreOfEachClassifierByItself) {
+TEST_F(Gains, AreSeparateForEachClassifier) {
   add_all();
   for (const int seed : {0, 1}) {
     add(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 18)));

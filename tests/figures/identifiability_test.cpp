@@ -34,7 +34,7 @@ class IdentifiabilityFigure : public StoredSource {
   }
 };
 
-TEST_F(IdentifiabilityFigure, HasTheGroupsOfEachParameterWithItsR2OverAllClasses) {
+TEST_F(IdentifiabilityFigure, ShowsTheGroupsAndR2OfEachParameter) {
   add_known_windows(true);
   add_tables();
   Source one = source("piae-dt", "10to1", "0");
@@ -45,14 +45,14 @@ TEST_F(IdentifiabilityFigure, HasTheGroupsOfEachParameterWithItsR2OverAllClasses
   EXPECT_EQ(field(numbers, "piae-dt,damping,400,500,12", 8), "0.2500");
 }
 
-TEST_F(IdentifiabilityFigure, IsOfSimulatedWindowsAlone) {
+TEST_F(IdentifiabilityFigure, CoversOnlySimulatedWindows) {
   add_known_windows(false);
   add_tables();
   Source one = source("piae-dt", "10to1", "0");
   EXPECT_THROW(identifiability(one), LeftOut);
 }
 
-TEST_F(IdentifiabilityFigure, NamesTheWindowsOrTheTableThatIsMissing) {
+TEST_F(IdentifiabilityFigure, NamesMissingWindowsOrTables) {
   Source none = source("piae-dt", "10to1", "0");
   EXPECT_ERROR(identifiability(none), Exit::input_missing, "seed0/C.h5");
   add_known_windows(true);
@@ -65,7 +65,7 @@ TEST_F(IdentifiabilityFigure, NamesTheWindowsOrTheTableThatIsMissing) {
                "(make identify): no identifiability.csv");
 }
 
-TEST_F(IdentifiabilityFigure, RefusesATableWithoutAColumnThatItNeeds) {
+TEST_F(IdentifiabilityFigure, RefusesATableWithoutANeededColumn) {
   add_known_windows(true);
   add_tables();
   folder_.write("run/cwru/scatter.csv", "dataset,method\ncwru,piae-dt\n");

@@ -8,7 +8,7 @@ namespace {
 
 using MissedFaults = DiagnosedWindows;
 
-TEST_F(MissedFaults, AreThoseTakenForHealthyBySeedAndInTheMean) {
+TEST_F(MissedFaults, CountFaultsClassifiedAsHealthy) {
   add_two_seeds();
   Source two = source("vae", "10to1 2to1");
   const Numbers numbers = missed_faults(two);
@@ -20,7 +20,7 @@ TEST_F(MissedFaults, AreThoseTakenForHealthyBySeedAndInTheMean) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,all-faults,,mean", 6), "12.5");
 }
 
-TEST_F(MissedFaults, StandBesideHealthyWindowsTakenForAnyFault) {
+TEST_F(MissedFaults, IncludeHealthyWindowsClassifiedAsAFault) {
   add_two_seeds();
   Source two = source("vae", "10to1 2to1");
   const Numbers numbers = missed_faults(two);
@@ -29,13 +29,13 @@ TEST_F(MissedFaults, StandBesideHealthyWindowsTakenForAnyFault) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,healthy,,mean", 6), "25");
 }
 
-TEST_F(MissedFaults, HaveNoRowsOfAClassWithoutTestWindows) {
+TEST_F(MissedFaults, OmitAClassWithoutTestWindows) {
   add(record_of("vae", "2to1", 145, 0, {0, 1}, {0, 1}));
   Source one = source("vae", "2to1", "0");
   EXPECT_EQ(field(missed_faults(one), "vae,0,2to1,fault,OR,mean", 6), "no row");
 }
 
-TEST_F(MissedFaults, NameTheDiagnosisThatIsMissing) {
+TEST_F(MissedFaults, NameAMissingDiagnosis) {
   add_two_seeds();
   Source three = source("vae", "2to1", "0 1 2");
   EXPECT_ERROR(missed_faults(three), Exit::input_missing, "seed2/vae/2to1/wdcnn/diagnosis.h5");

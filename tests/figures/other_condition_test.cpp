@@ -88,7 +88,7 @@ TEST_F(OtherCondition, HasAPictureOfEachFaultClass) {
   EXPECT_EQ(both[1].part, "OR");
 }
 
-TEST_F(OtherCondition, ShowsWhatKnowsOfConditionsAndShiftBetweenKnownAndRealWindows) {
+TEST_F(OtherCondition, ShowsGeneratedWindowsBetweenKnownAndRealOnes) {
   save_all();
   save_generated("shift", of_both(signal::every_condition));
   save_generated("vae", of_both(signal::every_condition));
@@ -98,7 +98,7 @@ TEST_F(OtherCondition, ShowsWhatKnowsOfConditionsAndShiftBetweenKnownAndRealWind
                                                   "resample", "strike-twin", "real"));
 }
 
-TEST_F(OtherCondition, SaysTheSpeedAndTheConditionOfEachRow) {
+TEST_F(OtherCondition, NamesTheSpeedAndTheConditionOfEachRow) {
   save_all();
   save_generated("shift", of_both(signal::every_condition));
   const CsvRows rows(pictures("none shift strike-twin")[1].numbers);
@@ -133,7 +133,7 @@ TEST_F(OtherCondition, HasTheLinesOfTheClassAtTheSpeedOfEachRow) {
 }
 
 /// The axis ends at 547 Hz, two turns of the faster shaft above its third BPFI.
-TEST_F(OtherCondition, HasTheLinesAsFarAsTheAxisReaches) {
+TEST_F(OtherCondition, HasTheLinesWithinTheAxis) {
   save_all();
   const CsvRows rows(pictures()[0].numbers);
   const double last_hz = std::stod(rows.where({{"panel", "envelope"}}).back().at("x"));
@@ -143,7 +143,7 @@ TEST_F(OtherCondition, HasTheLinesAsFarAsTheAxisReaches) {
   EXPECT_EQ(lines[4].at("real"), "541.6");  // the sixth would lie at 650 Hz
 }
 
-TEST_F(OtherCondition, ShowsWindowsOfAnyScaleByTheirOwnRms) {
+TEST_F(OtherCondition, ScalesWindowsByTheirRms) {
   save_all();  // amplitudes of 2, 0.1 and 500
   const CsvRows rows(pictures()[0].numbers);
   const auto highest = rows.where({{"panel", "waveform"}, {"what", "high"}});
@@ -166,7 +166,7 @@ TEST_F(OtherCondition, GivesEachWindowTheSameWeightInASpectrum) {
   }
 }
 
-TEST_F(OtherCondition, HasARowForEachConditionInWhichTheClassIsKnown) {
+TEST_F(OtherCondition, HasARowForEachKnownConditionOfTheClass) {
   info_.conditions.push_back(
       {.name = "600 rpm", .shaft_speed_rpm = 600, .known = true, .test = false});
   save_all();
@@ -182,7 +182,7 @@ TEST_F(OtherCondition, HasARowForEachConditionInWhichTheClassIsKnown) {
 }
 
 /// At 600 rpm BPFI is 54.16 Hz. Windows of 1200 rpm have other tones.
-TEST_F(OtherCondition, ShowsTheTestedConditionThatIsFarthestFromTheKnownOnes) {
+TEST_F(OtherCondition, ShowsTheTestedConditionFarthestFromTheKnownOnes) {
   info_.conditions.push_back(
       {.name = "600 rpm", .shaft_speed_rpm = 600, .known = false, .test = true});
   save_known(of_both(0));
@@ -200,7 +200,7 @@ TEST_F(OtherCondition, ShowsTheTestedConditionThatIsFarthestFromTheKnownOnes) {
   EXPECT_EQ(outer.where({{"panel", "row"}, {"what", "real"}}).at(0).at("y"), "1200 rpm");
 }
 
-TEST_F(OtherCondition, IsLeftOutWhereFaultsAreTestedInTheConditionTheyAreKnownIn) {
+TEST_F(OtherCondition, IsLeftOutIfTestedAndKnownConditionsAreTheSame) {
   info_.conditions.clear();
   save_real(of_both(signal::every_condition));
   EXPECT_THROW(static_cast<void>(pictures()), LeftOut);
@@ -210,7 +210,7 @@ TEST_F(OtherCondition, IsLeftOutWhereFaultsAreTestedInTheConditionTheyAreKnownIn
   EXPECT_THROW(static_cast<void>(pictures()), LeftOut);
 }
 
-TEST_F(OtherCondition, NamesTheFileThatIsMissing) {
+TEST_F(OtherCondition, NamesAMissingFile) {
   save_real(of_both(1));
   EXPECT_ERROR(pictures(), Exit::input_missing, layout_.known_windows(0).string());
   save_known(of_both(0));

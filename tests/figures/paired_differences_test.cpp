@@ -34,7 +34,7 @@ TEST_F(PairedDifferences, AreThoseOfTheSameSeedWithTheirInterval) {
 
 /// Three differences of the same sign: p is 2 / 2^3, the least for three seeds, and Holm doubles
 /// the smaller one of two.
-TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
+TEST_F(PairedDifferences, ShowPAndItsSmallestPossibleValue) {
   add_three_seeds();
   Source three = source("none vae piae-dt", "100to1 10to1", "0 1 2");
   const Numbers numbers = paired_differences(three, three.accuracies().front());
@@ -43,7 +43,7 @@ TEST_F(PairedDifferences, HaveAPAndTheLeastThatSoManySeedsCanGive) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,piae-dt,mean", 10), "0.5");
 }
 
-TEST_F(PairedDifferences, CorrectNoMethodForTheCeiling) {
+TEST_F(PairedDifferences, ExcludeTheCeilingFromTheCorrection) {
   add_three_seeds();
   for (const int seed : {0, 1, 2}) add(diagnosis("oracle", "10to1", 45, seed, 19));
   Source three = source("none vae piae-dt oracle", "100to1 10to1", "0 1 2");
@@ -54,7 +54,7 @@ TEST_F(PairedDifferences, CorrectNoMethodForTheCeiling) {
   EXPECT_EQ(field(numbers, "oracle,1,10to1,piae-dt,mean", 10), "0.25");
 }
 
-TEST_F(PairedDifferences, HaveNeitherIntervalNorPWhereSeedsAreTooFew) {
+TEST_F(PairedDifferences, HaveNoIntervalAndNoPForTooFewSeeds) {
   add(diagnosis("vae", "10to1", 45, 0, 15));
   add(diagnosis("piae-dt", "10to1", 45, 0, 14));
   Source one = source("vae piae-dt", "10to1", "0");
@@ -71,7 +71,7 @@ TEST_F(PairedDifferences, HaveNeitherIntervalNorPWhereSeedsAreTooFew) {
             "0.5");
 }
 
-TEST_F(PairedDifferences, HaveTheMeanOfTheRatiosToo) {
+TEST_F(PairedDifferences, IncludeTheMeanOfTheRatios) {
   add_method("vae");  // 75 and 75 at 10to1, 85 and 95 at 2to1
   for (const int seed : {0, 1}) {
     add(diagnosis("piae-dt", "10to1", 45, seed, 14));
@@ -90,7 +90,7 @@ TEST_F(PairedDifferences, AreLeftOutWithoutAMethodToCompareWith) {
   EXPECT_THROW(paired_differences(all, all.accuracies().front()), LeftOut);
 }
 
-TEST_F(PairedDifferences, NameTheFirstCellThatIsMissing) {
+TEST_F(PairedDifferences, NameTheFirstMissingCell) {
   add_three_seeds();
   Source four = source("none vae piae-dt", "100to1 10to1", "0 1 2 3");
   EXPECT_ERROR(paired_differences(four, four.accuracies().front()), Exit::input_missing,

@@ -19,7 +19,7 @@ class Protocols : public StoredSource {
   }
 };
 
-TEST_F(Protocols, AreTheSameCellsOfThisRunAndOfTheOneBesideIt) {
+TEST_F(Protocols, CompareTheSameCellsOfBothRuns) {
   add_all();  // vae: 75 and 75 at 10to1
   add_blocked(0);
   add_blocked(1);
@@ -31,7 +31,7 @@ TEST_F(Protocols, AreTheSameCellsOfThisRunAndOfTheOneBesideIt) {
   EXPECT_EQ(field(numbers, "vae,0,10to1,blocked,mean", 6), "") << "an interval of two seeds";
 }
 
-TEST_F(Protocols, LeaveOutWhatTheRunBesideDoesNotHave) {
+TEST_F(Protocols, LeaveOutCellsThatTheOtherRunLacks) {
   add_all();
   add_blocked(1);
   Source all = source("none vae", "100to1 10to1 2to1");
@@ -42,11 +42,12 @@ TEST_F(Protocols, LeaveOutWhatTheRunBesideDoesNotHave) {
   EXPECT_THAT(numbers.csv(), Not(HasSubstr("none")));
 }
 
-TEST_F(Protocols, AreLeftOutWithoutARunBesideThisOne) {
+TEST_F(Protocols, AreLeftOutWithoutTheOtherRun) {
   add_all();
   Source all = source("none vae", "100to1 10to1");
   EXPECT_THROW(protocols(all), LeftOut);
-  EXPECT_ERROR(protocols(all), Exit::input_missing, "no run with the other split (make contrast)");
+  EXPECT_ERROR(protocols(all), Exit::input_missing,
+               "no run with the other split; run `make contrast`");
 }
 
 TEST_F(Protocols, AreTwo) {

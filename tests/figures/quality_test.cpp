@@ -26,7 +26,7 @@ TEST_F(Quality, IsLeftOutOfARunWithoutGeneratedWindows) {
   EXPECT_THROW(quality_of_methods(baseline), LeftOut);
 }
 
-TEST_F(Quality, NamesTheScoreThatIsMissing) {
+TEST_F(Quality, NamesAMissingScore) {
   add_all();
   std::filesystem::remove(layout_.score("vae", 1));
   Source all = source("none vae", "100to1 10to1 2to1");

@@ -42,7 +42,7 @@ TEST_F(RefusalFigure, IsTheMeanOverTheSeedsAtEachPercent) {
   EXPECT_EQ(numbers.csv().find("10to1"), std::string::npos);
 }
 
-TEST_F(RefusalFigure, HasTheBarAsALevelLine) {
+TEST_F(RefusalFigure, ShowsNearestAsAHorizontalLine) {
   add_seed("none", "100to1", 0, 0, {true, false, true, false});
   scoring::DiagnosisRecord votes =
       by("nearest", record_of("none", "100to1", 0, 0, {1, 1, 1, 1}, {1, 1, 2, 1}));

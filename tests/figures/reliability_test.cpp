@@ -40,7 +40,7 @@ TEST_F(ReliabilityFigure, PoolsTheSeeds) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,all,0,100", 10), "25");
 }
 
-TEST_F(ReliabilityFigure, SaysNothingOfAnEmptyBin) {
+TEST_F(ReliabilityFigure, OmitsAnEmptyBin) {
   add_seed(0, true, true);
   Source one = source("vae", "2to1", "0");
   const Numbers numbers = numbers_of(one);
@@ -48,12 +48,12 @@ TEST_F(ReliabilityFigure, SaysNothingOfAnEmptyBin) {
   EXPECT_EQ(field(numbers, "vae,0,2to1,bin,0,10", 9), "");
 }
 
-TEST_F(ReliabilityFigure, NamesTheDiagnosisThatIsMissing) {
+TEST_F(ReliabilityFigure, NamesAMissingDiagnosis) {
   Source one = source("vae", "2to1", "0");
   EXPECT_ERROR(numbers_of(one), Exit::input_missing, "seed0/vae/2to1/wdcnn/diagnosis.h5");
 }
 
-TEST_F(ReliabilityFigure, IsLeftOutForAClassifierThatDoesNotSayHowSureItIs) {
+TEST_F(ReliabilityFigure, IsLeftOutForAClassifierWithoutConfidence) {
   add_seed(0, true, false);
   scoring::DiagnosisRecord votes = by("nearest", record_of("vae", "2to1", 145, 0, {1, 1}, {1, 2}));
   for (std::size_t i = 0; i < 2; ++i) votes.scores[3 * i + index_of(votes.predictions[i])] = 1;

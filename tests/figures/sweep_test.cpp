@@ -34,7 +34,7 @@ class SweepFigure : public StoredSource {
   }
 };
 
-TEST_F(SweepFigure, HasTheValuesOfEachFactorInTheirOrderWithThatOfTheGrid) {
+TEST_F(SweepFigure, SortsTheValuesOfEachFactor) {
   add_sweep(0, 10);
   Source one = swept("0");
   const Numbers numbers = sweeps(one);
@@ -82,7 +82,7 @@ TEST_F(SweepFigure, IsLeftOutWithoutASweep) {
   EXPECT_THROW(sweeps(one), LeftOut);
 }
 
-TEST_F(SweepFigure, NamesTheCellThatIsMissing) {
+TEST_F(SweepFigure, NamesAMissingCell) {
   add_sweep(0, 10);
   add_sweep(1, 10);
   std::filesystem::remove(layout_.diagnosis("sweep/batch-10", "1to1", 1));
@@ -92,7 +92,7 @@ TEST_F(SweepFigure, NamesTheCellThatIsMissing) {
   EXPECT_ERROR(sweeps(two), Exit::input_missing, "seed0/sweep/batch-2/model.h5");
 }
 
-TEST_F(SweepFigure, RefusesAModelThatIsNotWhatItsFolderSays) {
+TEST_F(SweepFigure, RefusesAModelThatContradictsItsFolder) {
   add_sweep(0, 10);
   add_cell("sweep/batch-7", "batch = \"8\"\n", 0, 10);
   Source one = swept("0");

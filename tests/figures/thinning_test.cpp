@@ -18,7 +18,7 @@ TEST(Thinning, KeepsTheExtremesOfEachGroup) {
   EXPECT_TRUE((thinning.lowest(seven_numbers()) == Eigen::Array3d(-5, 0, -3)).all());
 }
 
-TEST(Thinning, KnowsWhereTheMiddlesOfItsGroupsAre) {
+TEST(Thinning, ComputesTheMiddlesOfItsGroups) {
   const Thinning thinning(7, 3);
   EXPECT_EQ(thinning.middle(0), 1);
   EXPECT_EQ(thinning.middle(1), 4);
@@ -26,7 +26,7 @@ TEST(Thinning, KnowsWhereTheMiddlesOfItsGroupsAre) {
   EXPECT_EQ(Thinning(8, 4).middle(1), 2.5);
 }
 
-TEST(Thinning, ChangesNothingWhereThereAreFewNumbers) {
+TEST(Thinning, DoesNotChangeFewNumbers) {
   const Thinning thinning(7, 128);
   ASSERT_EQ(thinning.groups(), 7);
   EXPECT_TRUE((thinning.highest(seven_numbers()) == seven_numbers()).all());

@@ -55,7 +55,7 @@ TEST_F(TwinSpaceFigure, HasTheJointHistogramAndItsMarginalsInUnits) {
   EXPECT_EQ(field(space, "piae-dt,c-bin,,1e+08,400,3e+08,600", 7), "1");
 }
 
-TEST_F(TwinSpaceFigure, HasKnownAndGeneratedWindowsAndTheTruthWhereItIsKnown) {
+TEST_F(TwinSpaceFigure, ShowsKnownGeneratedAndTrueValues) {
   add_model(true);
   Source one = source("piae-dt", "10to1", "0");
   const std::string first = three_classes("cwru").classes[1].name;
@@ -65,7 +65,7 @@ TEST_F(TwinSpaceFigure, HasKnownAndGeneratedWindowsAndTheTruthWhereItIsKnown) {
   EXPECT_EQ(field(space, "piae-dt,true," + first, 4), "250");
 }
 
-TEST_F(TwinSpaceFigure, IsLeftOutWhereNoMethodInfersAlsoOneThatOnlyAnotherProgramKnows) {
+TEST_F(TwinSpaceFigure, IsLeftOutIfNoMethodInfers) {
   Source one = source("smote of-another-program", "10to1", "0");
   EXPECT_THROW((void)one.inferring_methods(), LeftOut);
 }

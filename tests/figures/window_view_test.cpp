@@ -42,13 +42,13 @@ Eigen::Index point_at(double hz, const Eigen::ArrayXd& values, const Hz& hz_of) 
   return nearest;
 }
 
-TEST(TypicalWindow, HasTheMedianLoudness) {
+TEST(TypicalWindow, HasTheMedianRms) {
   EXPECT_EQ(typical_window(three_tones()), 2);
   EXPECT_EQ(typical_window(three_tones().topRows(2)), 0);
   EXPECT_THROW(typical_window(three_tones().topRows(0)), std::logic_error);
 }
 
-TEST(TypicalWindow, DoesNotGoByAnOffset) {
+TEST(TypicalWindow, IgnoresAnOffset) {
   scoring::Windows windows = three_tones();
   windows.row(0).array() += 100;
   EXPECT_EQ(typical_window(windows), 2);
@@ -62,13 +62,13 @@ TEST(WindowView, ShowsTheExtremesOfTheTypicalWindow) {
   EXPECT_NEAR(axes().waveform_ms(127), (1024 - 4.5) / 12, 1e-9);
 }
 
-TEST(WindowView, ShowsTheWindowThatIsNamed) {
+TEST(WindowView, ShowsTheNamedWindow) {
   const WindowView view = view_of(three_tones(), 1, axes());
   EXPECT_NEAR(view.high[0], 5 * std::sqrt(3.0) / 2, 1e-9);
   EXPECT_NEAR(view.spectrum_db.maxCoeff(), 10 * std::log10((1.0 + 25 + 4) / 3), 1e-9);
 }
 
-TEST(WindowView, HasTheLevelOfAToneWhereItLies) {
+TEST(WindowView, HasTheLevelOfAToneAtItsFrequency) {
   const WindowView view = view_of(tone(2), axes());
   const Eigen::Index at =
       point_at(3000, view.spectrum_db, [](Eigen::Index i) { return axes().spectrum_hz(i); });
@@ -92,14 +92,14 @@ TEST(WindowView, HasTheLevelOfTheSwingInTheEnvelope) {
 }
 
 /// A 6205 at 1800 rpm: BPFI is the highest line, 162.44 Hz.
-TEST(WindowView, ShowsTheEnvelopeAsFarAsTheThirdHarmonicsAndTheirSidebands) {
+TEST(WindowView, ShowsTheEnvelopeUpToTheThirdHarmonics) {
   const WindowView view = view_of(tone(1), axes());
   const double last_hz = axes().envelope_hz(view.envelope_db.size() - 1);
   EXPECT_NEAR(last_hz, 3 * 162.44 + 2 * 30, rate_hz / length);
 }
 
 /// BPFI is 324.97 Hz at 3600 rpm.
-TEST(WindowView, ShowsTheEnvelopeAsFarAsTheLinesOfAFasterShaftThanTheTestedOne) {
+TEST(WindowView, ShowsTheEnvelopeUpToTheLinesOfTheFastestShaft) {
   const ViewAxes faster(three_classes(), length, 3600);
   const WindowView view = view_of(tone(1), faster);
   EXPECT_NEAR(faster.envelope_hz(view.envelope_db.size() - 1), 3 * 324.97 + 2 * 60,
@@ -123,7 +123,7 @@ TEST(WindowView, HasTheLevelOfAToneInTheSpectrogram) {
   EXPECT_NEAR(axes().spectrogram_ms(0), 16 / 12.0, 1e-12);
 }
 
-TEST(WindowView, OfSilenceIsFarBelowAll) {
+TEST(WindowView, IsVeryLowForSilence) {
   const WindowView view = view_of(scoring::Windows::Zero(2, length), axes());
   EXPECT_EQ(view.spectrum_db.maxCoeff(), -200);
   EXPECT_EQ(view.envelope_db.maxCoeff(), -200);

@@ -101,7 +101,7 @@ TEST_F(WindowsByClass, NamesTheFaultLinesAndTheSidebandsOfTheClass) {
   EXPECT_EQ(rows.where({{"panel", "line"}, {"what", "2BSF"}})[1].at("x"), "282.5");
 }
 
-TEST_F(WindowsByClass, NamesTheFileThatIsMissing) {
+TEST_F(WindowsByClass, NamesAMissingFile) {
   save(tones(1, 2), "D", layout_.real_windows(0));
   EXPECT_ERROR(windows_by_class(source_), Exit::input_missing,
                layout_.generated_windows("vae", 0).string());

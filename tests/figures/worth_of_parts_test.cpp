@@ -58,7 +58,7 @@ class WorthOfParts : public StoredSource {
 
 /// Differences of -50, -45 and -40 points have the deviation 5; Student's t with two degrees of
 /// freedom is 4.30265.
-TEST_F(WorthOfParts, IsTheDifferenceToTheMethodOfEachSeed) {
+TEST_F(WorthOfParts, IsTheDifferenceFromTheMethodForEachSeed) {
   for (const int seed : {0, 1, 2}) add_seed(seed, 16 + seed);
   add_table("0 1 2");
   const Numbers all = numbers();
@@ -71,7 +71,7 @@ TEST_F(WorthOfParts, IsTheDifferenceToTheMethodOfEachSeed) {
 }
 
 /// The order is that of the protocol, and so of the table; it is not alphabetical here.
-TEST_F(WorthOfParts, HasThePointsOfTheTableInItsOrderAndAllSeedsOfTheRun) {
+TEST_F(WorthOfParts, KeepsTheOrderOfTheTable) {
   add_seed(0, 16);
   add_table("0");
   add_seed(1, 16);

@@ -62,7 +62,7 @@ TEST(Check, FindsSamplesLevelsAndStrides) {
 
 /// A and D of the fault class come from one file and C from another: no test window shares samples
 /// with a training window. 595 windows of 1024 in 1024 + 594 * 3 = 2806 samples: stride 3.
-TEST(Check, OfATransferCountsEachConditionByItself) {
+TEST(Check, CountsEachConditionOfATransferSeparately) {
   const Folder folder;
   write_signal(folder, "bad.csv", 2806, 3);
   write_signal(folder, "bad2.csv", 1028, 4);
@@ -83,7 +83,7 @@ TEST(Check, OfATransferCountsEachConditionByItself) {
 }
 
 /// Resampling rounds clipped tops, so the check needs the file's own samples.
-TEST(Check, LooksForFlawsInTheFilesOwnSamples) {
+TEST(Check, FindsFlawsInTheFilesOwnSamples) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
   write_signal(folder, "ok2.csv", 1324, 2);
@@ -129,7 +129,7 @@ TEST(Check, KeepsEachFlawOfASignal) {
 }
 
 /// At 1 Hz the record lasts 47 minutes, and at half that rate more than an hour: 5642 s.
-TEST(Check, DoesNotBlowUpARecordOfMoreThanAnHour) {
+TEST(Check, DoesNotResampleARecordOfMoreThanAnHour) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
   write_signal(folder, "ok2.csv", 1324, 2);
@@ -144,7 +144,7 @@ TEST(Check, DoesNotBlowUpARecordOfMoreThanAnHour) {
   EXPECT_FALSE(found.records[0].lines.front().db);
 }
 
-TEST(Check, GoesOnAfterWhatCannotBeRead) {
+TEST(Check, ContinuesAfterAnUnreadableFile) {
   const Folder folder;
   write_signal(folder, "ok1.csv", 1324, 1);
   folder.write("ok2.csv", "1\nnan\n2\n");
@@ -157,7 +157,7 @@ TEST(Check, GoesOnAfterWhatCannotBeRead) {
   EXPECT_EQ(found.classes[0].stride, 0U);
 }
 
-TEST(Check, OnlyMissingFilesAreMissingInput) {
+TEST(Check, ReportsMissingInputOnlyForMissingFiles) {
   const Folder folder;
   EXPECT_EQ(check(description(), folder.path()).exit, Exit::input_missing);
 }

@@ -36,7 +36,7 @@ TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
 }
 
 /// A record has the lines of its own speed, not of the dataset's: at 900 rpm half those at 1800.
-TEST(FaultLines, AreThoseOfTheSpeedOfTheRecordInEveryCondition) {
+TEST(FaultLines, FollowTheSpeedOfEachRecord) {
   signal::DatasetInfo info;
   info.conditions = {
       {.name = "slow", .shaft_speed_rpm = 900, .known = true, .test = false, .healthy = true},
@@ -51,7 +51,7 @@ TEST(FaultLines, AreThoseOfTheSpeedOfTheRecordInEveryCondition) {
 /// s. Its envelope holds the noise in phase with the carrier: s^2 in a band half as wide as the
 /// signal's, twice as dense. Hann's window gives (m L / 4)^2 for a line, and 2 s^2 (3 / 8) L for
 /// the noise: together 1 + m^2 L / (12 s^2) times the noise.
-TEST(FaultLines, OfAKnownModulationHaveTheirClosedForm) {
+TEST(FaultLines, MatchAKnownModulation) {
   constexpr double m = 0.02;
   constexpr double s = 0.05;
   const double f = 1.005 * hz_of(Defect::inner);  // slip
@@ -72,7 +72,7 @@ TEST(FaultLines, OfAKnownModulationHaveTheirClosedForm) {
   EXPECT_EQ(inner.share_elsewhere, 0);
 }
 
-TEST(FaultLines, OfAStruckResonanceAreTheirOwn) {
+TEST(FaultLines, StandOutForImpactsOnAResonance) {
   for (const Defect fault_type : fault_types) {
     const Samples samples = impact_recording(rate_hz, 6, 0.995 * hz_of(fault_type), "struck");
     const FaultLines lines = lines_of(samples);
@@ -92,7 +92,7 @@ TEST(FaultLines, DoNotStandOutWhereTheSpeedIsWrong) {
 }
 
 /// The strongest place shows the error of the speed, from 2/3 to 3/2.
-TEST(FaultLines, AreFarthestWhereTheyAre) {
+TEST(FaultLines, StandOutMostAtTheirOwnFrequency) {
   for (const Defect fault_type : fault_types) {
     const Samples samples = impact_recording(rate_hz, 6, hz_of(fault_type), "struck");
     for (const double declared : {0.75, 0.9, 0.95, 1.0, 1.05, 1.2, 1.4}) {
@@ -105,7 +105,7 @@ TEST(FaultLines, AreFarthestWhereTheyAre) {
 }
 
 /// The third harmonic of BPFO lies within 1 % of the second of BPFI.
-TEST(FaultLines, CountOneHarmonicOfSomethingElseForLittle) {
+TEST(FaultLines, IgnoreOneHarmonicOfSomethingElse) {
   const FaultLine inner = line_of(
       lines_of(impact_recording(rate_hz, 6, hz_of(Defect::outer), "struck")), Defect::inner);
   EXPECT_FALSE(inner.stands_out);
@@ -113,7 +113,7 @@ TEST(FaultLines, CountOneHarmonicOfSomethingElseForLittle) {
 
 /// 3 lines of 400 records: 1.2 above noise_db are expected at a chance of 1e-3 each, and more than
 /// 6 in one of 3000 such tests. The highest of all lies near noise_db.
-TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
+TEST(FaultLines, AreFoundInWhiteNoiseAtTheStatedRate) {
   int above = 0;
   double highest = 0;
   double noise_db = 0;
@@ -132,7 +132,7 @@ TEST(FaultLines, OfWhiteNoisePassForLinesAsSeldomAsPromised) {
 }
 
 /// 1024 samples hold 2.6 turns, at most 1 in a segment: four impacts.
-TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
+TEST(FaultLines, AreNotMeasuredInTooShortOrTooSlowRecords) {
   for (const FaultLine& line : lines_of(impact_recording(rate_hz, 0.085, 107, "short"))) {
     EXPECT_FALSE(line.db);
     EXPECT_FALSE(line.stands_out);
@@ -145,7 +145,7 @@ TEST(FaultLines, OfTooShortARecordOrTooLowARateAreNone) {
 }
 
 /// 0.7 s, 21 turns, as in simulated data sets.
-TEST(FaultLines, OfAShortRecordAreMeasuredInShorterSegments) {
+TEST(FaultLines, UseShorterSegmentsForAShortRecord) {
   const Samples samples = impact_recording(rate_hz, 0.7, hz_of(Defect::inner), "short");
   const EnvelopeSpectrum spectrum = envelope_spectrum(samples, rate_hz, rpm / 60);
   EXPECT_GT(spectrum.averages, 3);
@@ -154,7 +154,7 @@ TEST(FaultLines, OfAShortRecordAreMeasuredInShorterSegments) {
   EXPECT_TRUE(inner.stands_out);
 }
 
-TEST(FaultLines, OfATinySignalAreThoseOfALoudOne) {
+TEST(FaultLines, DoNotDependOnTheLevel) {
   Samples samples = impact_recording(rate_hz, 6, hz_of(Defect::outer), "struck");
   const double high_level = *line_of(lines_of(samples), Defect::outer).db;
   for (double& x : samples) x *= 1e-9;

@@ -20,20 +20,20 @@ std::vector<std::string> warnings_of_files(const std::vector<FileCheck>& files) 
   return lines;
 }
 
-TEST(FileWarnings, AlikeFilesGetNone) {
+TEST(FileWarnings, AcceptSimilarFiles) {
   EXPECT_THAT(warnings_of_files({{"a", 2560, 6}, {"b", 2560, 6}, {"c", 2560, 6}}), IsEmpty());
   EXPECT_THAT(warnings_of_files({{"a", 2560, 6}}), IsEmpty());
   EXPECT_THAT(warnings_of_files({}), IsEmpty());
 }
 
-TEST(FileWarnings, AFileThatIsShorterIsNamed) {
-  EXPECT_THAT(warnings_of_files({{"a", 2560, 6}, {"b", 1999, 6}, {"c", 2560, 6}}),
-              ElementsAre("healthy (run/acc_*.csv, variable 5): most of its 3 files have 2560 "
-                          "samples, but b has 1999; they may be cut off, or of other settings of "
-                          "the recorder"));
+TEST(FileWarnings, NameAShorterFile) {
+  EXPECT_THAT(
+      warnings_of_files({{"a", 2560, 6}, {"b", 1999, 6}, {"c", 2560, 6}}),
+      ElementsAre("healthy (run/acc_*.csv, variable 5): most of its 3 files have 2560 "
+                  "samples, but b has 1999; they may be cut off or recorded with other settings"));
 }
 
-TEST(FileWarnings, FilesWithOtherColumnsAreNamedAndCounted) {
+TEST(FileWarnings, NameAndCountFilesWithOtherColumns) {
   std::vector<FileCheck> files(12, {"a", 10, 6});
   for (int i = 0; i < 5; ++i) files[2 * i] = {"b" + std::to_string(i), 10, 5};
   EXPECT_THAT(warnings_of_files(files),

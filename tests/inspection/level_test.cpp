@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 /// A sin: A / sqrt(2), 3/8 A^4 over (A^2 / 2)^2, A over A / sqrt(2), for any offset.
-TEST(Level, OfASineHasItsClosedForm) {
+TEST(Level, MatchesTheClosedFormOfASine) {
   std::vector<double> sine(4000);
   for (int i = 0; i < 4000; ++i) sine[i] = 7 + 2 * std::sin(2 * pi * i / 40);
   const Level level = level_of(sine);
@@ -25,7 +25,7 @@ TEST(Level, OfASineHasItsClosedForm) {
 
 /// One of n samples is 1, the others 0: the mean is p = 1 / n, the second moment p (1 - p), the
 /// fourth p (1 - p) (1 - 3 p (1 - p)).
-TEST(Level, OfOneStrikeHasItsClosedForm) {
+TEST(Level, MatchesTheClosedFormOfOneImpact) {
   constexpr double p = 0.01;
   std::vector<double> strike(100, 0.0);
   strike[31] = 1;
@@ -36,7 +36,7 @@ TEST(Level, OfOneStrikeHasItsClosedForm) {
 }
 
 /// The kurtosis of n normal numbers scatters by sqrt(24 / n).
-TEST(Level, OfNormalNoiseHasAKurtosisOfThree) {
+TEST(Level, HasAKurtosisOfThreeForNormalNoise) {
   Stream stream("level");
   std::vector<double> noise(60000);
   for (double& x : noise) x = stream.normal(0, 0.3);

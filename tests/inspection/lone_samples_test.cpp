@@ -18,7 +18,7 @@ Samples ringing(double impacts_hz = 107, const std::string& name = "impacts") {
   return impact_recording(12000, 2, impacts_hz, name);
 }
 
-TEST(LoneSamples, ASpikeIsFoundWithWhatItStandsOutOf) {
+TEST(LoneSamples, FindASpikeAndTheNextLargestSample) {
   Samples samples = ringing(0);
   samples[1000] = 300;
   samples[2000] = -0.55;  // the farthest of the others: noise of 0.1 reaches 0.45
@@ -29,7 +29,7 @@ TEST(LoneSamples, ASpikeIsFoundWithWhatItStandsOutOf) {
   EXPECT_NEAR(found.others, 0.55 + 300.0 / 24000, 0.002);
 }
 
-TEST(LoneSamples, SeveralSpikesAreCountedAndTheFarthestIsPlaced) {
+TEST(LoneSamples, CountSpikesAndLocateTheFarthest) {
   Samples samples = ringing();
   const double between = 60;  // samples after an impact, of 112, where its ringing has decayed
   for (const int impact : {10, 50, 90}) {
@@ -41,7 +41,7 @@ TEST(LoneSamples, SeveralSpikesAreCountedAndTheFarthestIsPlaced) {
   EXPECT_EQ(found.value, -9);
 }
 
-TEST(LoneSamples, ASpikeAtAnEndOrOnADriftIsFound) {
+TEST(LoneSamples, FindASpikeAtAnEndOrOnADrift) {
   Samples samples = ringing(0);
   samples.front() = 40;
   EXPECT_EQ(lone_samples(samples).farthest, 0U);
@@ -80,7 +80,7 @@ TEST(LoneSamples, AreNotASingleImpactThatAFilterSharpened) {
   }
 }
 
-TEST(LoneSamples, OfAShortRecordAreNone) {
+TEST(LoneSamples, AreNotFoundInAShortRecord) {
   EXPECT_EQ(lone_samples(Samples{0, 0, 9, 0, 0}).count, 0U);
   EXPECT_EQ(lone_samples({}).count, 0U);
 }

@@ -40,7 +40,7 @@ std::string picture_of(const Found& found) {
   return inspection::picture_of(found.description.info, found.check);
 }
 
-TEST(Svg, EscapesWordsAndWritesWhatWasDrawn) {
+TEST(Svg, EscapesTextAndWritesWhatWasDrawn) {
   Svg svg(200, 100, "a < b");
   svg.text({10, 20.04}, "R & D", Anchor::end, 12, true);
   svg.line({0, 1}, {2.25, 3}, {"#0072B2", 2, "7 3"});
@@ -79,7 +79,7 @@ TEST(Picture, MarksNothingBeyondItsPaper) {
   }
 }
 
-TEST(Picture, LeavesOutWhatCouldNotBeRead) {
+TEST(Picture, LeavesOutUnreadableRecords) {
   Found found = drawn();
   found.check.records[1].beginning.clear();
   EXPECT_THAT(picture_of(found), Not(HasSubstr("outer.csv")));

@@ -18,12 +18,12 @@ TEST(Speed, BetweenOneAndAHundredLooksLikeHz) {
 }
 
 /// SKF 6205: bore 25, outside diameter 52, shoulders about 33.8 and 44 mm.
-TEST(Raceways, OfTheWorkingBearingFit) {
+TEST(Raceways, AcceptTheWorkingBearing) {
   EXPECT_FALSE(raceway_mismatch({}));
   EXPECT_FALSE(raceway_mismatch({9, 7.94, 39.04, 31.1, 46.9, 0})) << "rounded";
 }
 
-TEST(Raceways, ThatAreBoreAndOutsideDiameterAreTooWide) {
+TEST(Raceways, AreTooWideForBoreAndOutsideDiameter) {
   const auto found = raceway_mismatch({9, 7.94, 39, 25, 52, 0});
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->too_wide);
@@ -32,14 +32,14 @@ TEST(Raceways, ThatAreBoreAndOutsideDiameterAreTooWide) {
   EXPECT_DOUBLE_EQ(found->mean_mm, 38.5);
 }
 
-TEST(Raceways, ThatAreShouldersAreTooTight) {
+TEST(Raceways, AreTooTightForShoulders) {
   const auto found = raceway_mismatch({9, 7.94, 39, 33.8, 44, 0});
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->too_tight);
   EXPECT_FALSE(found->too_wide);
 }
 
-TEST(Raceways, AwayFromThePitchDoNotFit) {
+TEST(Raceways, DoNotFitAwayFromThePitch) {
   const auto found = raceway_mismatch({9, 7.94, 39, 33.06, 48.94, 0});
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->too_wide || found->too_tight);
@@ -47,7 +47,7 @@ TEST(Raceways, AwayFromThePitchDoNotFit) {
 }
 
 /// 40 degrees: the balls touch at D -+ d cos 40 = 39 -+ 6.08 mm.
-TEST(Raceways, OfAnAngularContactMayBeWhereTheBallsTouch) {
+TEST(Raceways, AcceptTheContactPointsOfAnAngularBearing) {
   EXPECT_FALSE(raceway_mismatch({9, 7.94, 39, 32.92, 45.08, 40}));
   EXPECT_FALSE(raceway_mismatch({9, 7.94, 39, 31.06, 46.94, 40}));
   EXPECT_TRUE(raceway_mismatch({9, 7.94, 39, 32.92, 45.08, 0}));
@@ -55,14 +55,14 @@ TEST(Raceways, OfAnAngularContactMayBeWhereTheBallsTouch) {
 
 /// At stride 512 one window on either side overlaps. All 5 training windows of the other 599 miss
 /// both with the probability (597 596 595 594 593) / (599 598 597 596 595).
-TEST(Overlap, OfTestAndTrainingHasItsClosedForm) {
+TEST(Overlap, OfTestAndTrainingMatchesTheClosedForm) {
   EXPECT_EQ(share_that_meets_training(1024, 1024, 600, 5), 0);
   EXPECT_NEAR(share_that_meets_training(512, 1024, 600, 5), 1 - 594.0 * 593 / (599.0 * 598), 1e-12);
   EXPECT_EQ(share_that_meets_training(1, 1024, 600, 5), 1);
 }
 
 /// Assigned as in split(), away from the ends of the record.
-TEST(Overlap, OfTestAndTrainingIsThatOfADeal) {
+TEST(Overlap, OfTestAndTrainingMatchesADeal) {
   constexpr std::size_t stride = 100;
   Stream stream("overlap");
   int met = 0;

@@ -31,7 +31,7 @@ Samples sine(double per_sample, double amplitude, std::size_t count) {
   return samples;
 }
 
-TEST(GoesOneWay, IsATimeUpOrDownButNoVibration) {
+TEST(GoesOneWay, HoldsForATimeButNotForAVibration) {
   Samples time;
   for (int i = 0; i < 5000; ++i) time.push_back(0.3 + i / 51200.0);
   EXPECT_TRUE(goes_one_way(time));
@@ -46,7 +46,7 @@ TEST(GoesOneWay, IsATimeUpOrDownButNoVibration) {
 }
 
 /// asin(0.8) and asin(0.9) of a cycle of 100 samples: flat tops of 20 and 14 samples.
-TEST(Clipped, PeaksAreCountedAndPlaced) {
+TEST(Clipped, CountsAndLocatesPeaks) {
   Samples samples = sine(0.01, 1, 12000);
   for (double& x : samples) x = std::clamp(x, -0.9, 0.8);
   const Stretches found = clipped_peaks(samples);
@@ -57,13 +57,13 @@ TEST(Clipped, PeaksAreCountedAndPlaced) {
   EXPECT_EQ(samples[found.longest_first], 0.8);
 }
 
-TEST(Clipped, StrikesOfAFaultAreFound) {
+TEST(Clipped, FindsClippedImpacts) {
   Samples samples = struck();
   for (double& x : samples) x = std::clamp(x, -0.25, 0.25);
   EXPECT_GT(clipped_peaks(samples).count, 20U);
 }
 
-TEST(Clipped, WholePeaksAreNot) {
+TEST(Clipped, AcceptsWholePeaks) {
   EXPECT_EQ(clipped_peaks(struck()).count, 0U);
   for (const double quantum : {1e-4, 0.01, 0.05}) {
     EXPECT_EQ(clipped_peaks(quantised(struck(), quantum)).count, 0U) << quantum;
@@ -71,7 +71,7 @@ TEST(Clipped, WholePeaksAreNot) {
 }
 
 /// The top of a slow sine of few steps is flat over many samples without clipping.
-TEST(Clipped, RoundedTopsOfACoarseConverterAreNot) {
+TEST(Clipped, AcceptsRoundedTopsOfACoarseConverter) {
   for (const double per_sample : {0.3, 0.031, 0.0103, 0.00107}) {
     const Samples samples = quantised(sine(per_sample, 1, 20000), 1 / 100.0);
     EXPECT_EQ(clipped_peaks(samples).count, 0U) << per_sample;
@@ -79,7 +79,7 @@ TEST(Clipped, RoundedTopsOfACoarseConverterAreNot) {
   }
 }
 
-TEST(Held, ZerosInAVibrationAreCountedAndPlaced) {
+TEST(Held, CountsAndLocatesZerosInAVibration) {
   Samples samples = struck();
   std::fill_n(samples.begin() + 5000, 1200, 0.0);
   std::fill_n(samples.begin() + 15000, 300, 0.0);
@@ -91,7 +91,7 @@ TEST(Held, ZerosInAVibrationAreCountedAndPlaced) {
   EXPECT_EQ(found.value, 0);
 }
 
-TEST(Held, AnyOtherValueCountsAsWell) {
+TEST(Held, CountsAnyOtherValue) {
   Samples samples = struck();
   std::fill_n(samples.begin() + 700, 200, samples[699]);
   const Stretches found = held_values(samples);
@@ -100,13 +100,13 @@ TEST(Held, AnyOtherValueCountsAsWell) {
   EXPECT_EQ(found.longest_first, 699U);
 }
 
-TEST(Held, MostOfARecordCountsAsWell) {
+TEST(Held, CountsMostOfARecord) {
   Samples samples = struck();
   std::fill(samples.begin() + 1000, samples.end(), 0.0);
   EXPECT_EQ(held_values(samples).longest, samples.size() - 1000);
 }
 
-TEST(Held, ValuesThatRepeatByChanceDoNot) {
+TEST(Held, IgnoresValuesThatRepeatByChance) {
   // Three values on average: one step in four repeats.
   const Samples coarse = quantised(impact_recording(12000, 10, 0, "coarse"), 0.1);
   EXPECT_EQ(held_values(coarse).count, 0U);

@@ -30,7 +30,7 @@ std::optional<std::vector<std::string>> warnings_of(const std::string& dataset) 
   return inspection::warnings_of(description, found);
 }
 
-TEST(RealRecordings, OfCwruHaveThreeFaultsThatDoNotShowTheirLinesBest) {
+TEST(RealRecordings, OfCwruHaveThreeFaultsWithoutClearLines) {
   const auto warnings = warnings_of("cwru");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
   const auto about = [](const char* name, const char* own) {
@@ -41,7 +41,7 @@ TEST(RealRecordings, OfCwruHaveThreeFaultsThatDoNotShowTheirLinesBest) {
 }
 
 /// The amplitude scale differs from file to file.
-TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALineAndAScaleOfItsOwn) {
+TEST(RealRecordings, OfHitSmHaveAHealthyLineAndAnotherScale) {
   const auto warnings = warnings_of("hit-sm");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
   EXPECT_THAT(*warnings,
@@ -53,7 +53,7 @@ TEST(RealRecordings, OfHitSmHaveAHealthyOneThatShowsALineAndAScaleOfItsOwn) {
 
 /// 13 and 9 samples of 262144 lie on 9.999, the end of a range of 10 V. No other of the 32 records
 /// is clipped, repeats, or has a spike.
-TEST(RealRecordings, OfUestcAreCutAtTheEndOfTheirRangeInTwo) {
+TEST(RealRecordings, OfUestcAreClippedInTwoRecords) {
   auto warnings = warnings_of("uestc-speeds");
   if (!warnings) GTEST_SKIP() << "DATA_DIR does not have the recordings";
   std::erase_if(*warnings, [](const std::string& line) {

@@ -25,7 +25,7 @@ void copy_stretch(Samples& samples, std::size_t from, std::size_t to, std::size_
               samples.begin() + static_cast<std::ptrdiff_t>(to));
 }
 
-TEST(Repeats, AHalfThatRepeatsTheOtherIsOneStretch) {
+TEST(Repeats, CountARepeatedHalfAsOneStretch) {
   Samples samples = vibration();
   copy_stretch(samples, 0, 12000, 12000);
   const Repeats found = repeats(samples);
@@ -37,7 +37,7 @@ TEST(Repeats, AHalfThatRepeatsTheOtherIsOneStretch) {
 }
 
 /// Blocks do not need to begin where a stretch does.
-TEST(Repeats, AShortStretchIsFoundAtAnyPlace) {
+TEST(Repeats, FindAShortStretchAnywhere) {
   for (const std::size_t from : {0U, 1U, 17U, 5003U}) {
     for (const std::size_t count : {100U, 101U, 1024U}) {
       Samples samples = vibration();
@@ -51,7 +51,7 @@ TEST(Repeats, AShortStretchIsFoundAtAnyPlace) {
   }
 }
 
-TEST(Repeats, SeveralStretchesAddUp) {
+TEST(Repeats, AddUpSeveralStretches) {
   Samples samples = vibration();
   copy_stretch(samples, 1000, 8000, 500);
   copy_stretch(samples, 3000, 15000, 700);
@@ -64,7 +64,7 @@ TEST(Repeats, SeveralStretchesAddUp) {
   EXPECT_EQ(found.original, 3000U);
 }
 
-TEST(Repeats, AZeroHasNoSign) {
+TEST(Repeats, IgnoreTheSignOfZero) {
   Samples samples = vibration();
   samples[500] = 0.0;
   copy_stretch(samples, 400, 9000, 300);
@@ -98,7 +98,7 @@ TEST(Repeats, AreNotConstantsOrSlopesOrShortStretches) {
   EXPECT_EQ(repeats(samples).count, 0U);
 }
 
-TEST(Repeats, OfASignalThatIsComputedWithAWholePeriodAreTrue) {
+TEST(Repeats, FindTheWholePeriodOfAComputedSignal) {
   Samples sine(24000);
   for (std::size_t i = 0; i < sine.size(); ++i) {
     sine[i] = std::round(1e6 * std::sin(2 * pi * static_cast<double>(i % 100) / 100));
@@ -109,7 +109,7 @@ TEST(Repeats, OfASignalThatIsComputedWithAWholePeriodAreTrue) {
   EXPECT_EQ(found.longest, 23900U);
 }
 
-TEST(Repeats, OfShortRecordsAreNone) {
+TEST(Repeats, AreNotFoundInShortRecords) {
   EXPECT_EQ(repeats({}).count, 0U);
   EXPECT_EQ(repeats(Samples(31, 1.0)).count, 0U);
   EXPECT_EQ(repeats(Samples(32, 1.0)).count, 0U);

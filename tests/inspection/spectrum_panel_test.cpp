@@ -24,7 +24,7 @@ std::string panel_of(const EnvelopeSpectrum& spectrum, signal::Defect own) {
 }
 
 // BPFO, BPFI and 2BSF at 1800 rpm are 107.5, 162.5 and 141.2 Hz.
-TEST(SpectrumPanel, ShowsUpToALittleBehindTheThirdHarmonicOfTheHighestLine) {
+TEST(SpectrumPanel, EndsAboveTheThirdHarmonicOfTheHighestLine) {
   EnvelopeSpectrum spectrum = impact_spectrum();
   const FaultLines lines = fault_lines(spectrum, three_classes(), 1800);
   keep_shown_part(spectrum, lines, 30);
@@ -35,7 +35,7 @@ TEST(SpectrumPanel, ShowsUpToALittleBehindTheThirdHarmonicOfTheHighestLine) {
   EXPECT_EQ(spectrum.power.size(), size);
 }
 
-TEST(SpectrumPanel, MarksTheLinesAndMakesThoseOfOneDefectThick) {
+TEST(SpectrumPanel, MarksTheLinesAndHighlightsThoseOfOneDefect) {
   EnvelopeSpectrum spectrum = impact_spectrum();
   keep_shown_part(spectrum, fault_lines(spectrum, three_classes(), 1800), 30);
   const std::string outer = panel_of(spectrum, signal::Defect::outer);
@@ -46,11 +46,11 @@ TEST(SpectrumPanel, MarksTheLinesAndMakesThoseOfOneDefectThick) {
   EXPECT_THAT(panel_of(spectrum, signal::Defect::none), Not(HasSubstr("stroke-width=\"2.4\"")));
 }
 
-TEST(SpectrumPanel, OfAnEmptySpectrumIsEmpty) {
+TEST(SpectrumPanel, IsEmptyForAnEmptySpectrum) {
   EXPECT_EQ(panel_of({}, signal::Defect::outer), Svg(400, 200, "panel").str());
 }
 
-TEST(LineLegend, NamesTheThreeLinesAndWhatIsThick) {
+TEST(LineLegend, NamesTheThreeLinesAndTheThickOnes) {
   Svg svg(400, 200, "legend");
   draw_line_legend(svg, fault_lines({}, three_classes(), 1800), {10, 10}, "the named fault");
   const std::string legend = svg.str();

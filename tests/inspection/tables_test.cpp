@@ -55,7 +55,7 @@ TEST(CheckTables, FitIntoAHundredColumnsWhateverTheNames) {
 }
 
 /// 2560 samples hold two windows of 1024 side by side, and 1000 none.
-TEST(CheckTables, CountFilesAndTheWindowsWithinThem) {
+TEST(CheckTables, CountFilesAndTheirWindows) {
   Found found;
   RecordCheck& record = found.check.records[0];
   record.source.files = {"acc_*.csv"};
@@ -66,7 +66,7 @@ TEST(CheckTables, CountFilesAndTheWindowsWithinThem) {
               ContainsRegex("ok +acc_\\*.csv \\(3 files\\) +12000  12000   0.510        4 "));
 }
 
-TEST(CheckTables, HaveADashForWhatIsNotKnown) {
+TEST(CheckTables, ShowADashForUnknownValues) {
   Found found;
   found.check.records[0].problem = "ok.csv: no such file";
   found.check.records[0].level.reset();
@@ -81,7 +81,7 @@ TEST(CheckTables, HaveADashForWhatIsNotKnown) {
   EXPECT_THAT(text, ContainsRegex("outer +1797 +107.34 +\\*- +162.21 +- +141.0[0-9] +- +-\n"));
 }
 
-TEST(UnitName, IsThatOfTheUnit) {
+TEST(UnitName, NamesTheUnit) {
   EXPECT_EQ(unit_name(1), "units");
   EXPECT_EQ(unit_name(9.81), "g");
   EXPECT_EQ(unit_name(0.00980665), "mg");

@@ -59,7 +59,7 @@ TEST(FewValues, AreCountedUpToSixteen) {
   EXPECT_EQ(few_values(dead), std::nullopt);
 }
 
-TEST(FewValues, AreNotThoseOfAWorkingConverterOrAShortRecord) {
+TEST(FewValues, AreNotReportedForAWorkingConverterOrAShortRecord) {
   EXPECT_EQ(few_values(noise(1, "fine")), std::nullopt);
   // Normal noise of three steps reaches about four deviations to either side: 24 values.
   EXPECT_EQ(few_values(rounded(noise(3, "coarse"), 1)), std::nullopt);
@@ -69,7 +69,7 @@ TEST(FewValues, AreNotThoseOfAWorkingConverterOrAShortRecord) {
 }
 
 /// White noise has peaks of one sample.
-TEST(CutTops, OfSingleSamplesAreCounted) {
+TEST(CutTops, CountSingleSamples) {
   const Samples whole = noise(1, "white");
   const Samples cut = clamped(whole, -3, 2.5);
   const CutTops found = cut_tops(cut);
@@ -82,13 +82,13 @@ TEST(CutTops, OfSingleSamplesAreCounted) {
   EXPECT_EQ(found.samples(), static_cast<std::size_t>(above + below));
 }
 
-TEST(CutTops, OfOneEndAreNotBlamedOnTheOther) {
+TEST(CutTops, AreCountedSeparatelyAtEachEnd) {
   const CutTops found = cut_tops(clamped(noise(1, "white"), -100, 2.5));
   EXPECT_GT(found.on_highest, 100U);
   EXPECT_EQ(found.on_lowest, 0U);
 }
 
-TEST(CutTops, OfImpactsAndOfCoarseConvertersAreFound) {
+TEST(CutTops, AreFoundInImpactsAndCoarseConverters) {
   const Samples impacts = impact_recording(12000, 2, 107, "cut");
   const Samples cut = clamped(impacts, -0.3, 0.3);
   EXPECT_EQ(cut_tops(cut).on_highest, count_of(cut, 0.3));
@@ -98,14 +98,14 @@ TEST(CutTops, OfImpactsAndOfCoarseConvertersAreFound) {
 }
 
 /// One UESTC record has 13 of 262144 samples on +10 V, and all others differ.
-TEST(CutTops, OfAFewPeaksAreFoundWhereValuesAreFine) {
+TEST(CutTops, AreFoundForAFewPeaksOfFineResolution) {
   Samples samples = rounded(noise(1, "white"), 1e-6);
   for (std::size_t i = 0; i < 9; ++i) samples[1000 * i + 500] = 5;
   EXPECT_EQ(cut_tops(samples).on_highest, 9U);
   EXPECT_EQ(cut_tops(samples).on_lowest, 0U);
 }
 
-TEST(CutTops, AreNotThoseOfNoiseOfAnyResolution) {
+TEST(CutTops, AreNotFoundInNoiseOfAnyResolution) {
   for (int record = 0; record < 50; ++record) {
     const Samples fine = noise(1, "noise/" + std::to_string(record));
     EXPECT_EQ(cut_tops(fine).samples(), 0U) << record;
@@ -115,7 +115,7 @@ TEST(CutTops, AreNotThoseOfNoiseOfAnyResolution) {
   }
 }
 
-TEST(CutTops, AreNotThoseOfAFaultsImpacts) {
+TEST(CutTops, AreNotFoundInAFaultsImpacts) {
   for (const double impacts_hz : {20.0, 107.0, 120.0, 162.2}) {
     const Samples impacts = impact_recording(12000, 2, impacts_hz, "impacts");
     EXPECT_EQ(cut_tops(impacts).samples(), 0U) << impacts_hz;
@@ -127,7 +127,7 @@ TEST(CutTops, AreNotThoseOfAFaultsImpacts) {
 
 /// Equal peaks are the hardest case: over a whole period the same samples recur, except for
 /// rounding. Rounding affects peaks least, and so makes them more equal.
-TEST(CutTops, AreNotThoseOfASineAtFullScale) {
+TEST(CutTops, AreNotFoundInASineAtFullScale) {
   for (const double period : {2.5, 3.0, 4.0, 7.3, 10.0, 100.0, 97.31, 934.58, 6000.0}) {
     for (const double phase : {0.0, 0.4, pi / 4, pi / 2}) {
       for (const int bits : {8, 12, 16, 24, 40, 60}) {
@@ -138,7 +138,7 @@ TEST(CutTops, AreNotThoseOfASineAtFullScale) {
   }
 }
 
-TEST(CutTops, AreNotThoseOfASineInNoise) {
+TEST(CutTops, AreNotFoundInASineInNoise) {
   Samples samples = noise(0.01, "sine in noise");
   for (std::size_t i = 0; i < length; ++i) {
     samples[i] += std::sin(2 * pi * 0.0137 * static_cast<double>(i));
@@ -149,7 +149,7 @@ TEST(CutTops, AreNotThoseOfASineInNoise) {
 }
 
 /// Samples that a recorder repeats are one visit.
-TEST(CutTops, AreNotThoseOfRepeatedSamples) {
+TEST(CutTops, AreNotFoundInRepeatedSamples) {
   Samples twelvefold;
   for (const double x : noise(1, "held")) twelvefold.insert(twelvefold.end(), 12, x);
   EXPECT_EQ(cut_tops(twelvefold).samples(), 0U);

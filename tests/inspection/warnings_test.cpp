@@ -83,7 +83,7 @@ TEST(Warnings, NameARecordOfMoreThanAnHour) {
   found.check.records[1].level.reset();
   for (FaultLine& line : found.check.records[1].lines) line.db.reset();
   expect_one(found, {"outer (outer.csv, variable 2): 120000 samples at sample_rate_hz = 12",
-                     "2.8 hours", "kHz", "Not resampled"});
+                     "2.8 hours", "kHz", "not resampled"});
 }
 
 TEST(Warnings, NameManyRecordsOfMoreThanAnHourInOneLine) {
@@ -107,7 +107,7 @@ TEST(Warnings, NameARecordOfLessThanTenTurns) {
 
 /// Too short files are not searched for lines. 0.1 s at 1797 rpm are 3 turns, so any line may
 /// appear.
-TEST(Warnings, AskNoLinesOfFilesThatAreTooShort) {
+TEST(Warnings, DoNotMentionLinesOfTooShortFiles) {
   Found found;
   RecordCheck& healthy = found.check.records[0];
   for (int i = 0; i < 100; ++i) healthy.files.push_back({"acc_" + std::to_string(i), 1200, 1});
@@ -129,10 +129,10 @@ TEST(Warnings, NameClippedSamples) {
   Found found;
   found.check.records[2].clipped = {7, 31, 6, 4711, -4.99};
   expect_one(found, {"inner (inner.csv, variable 2): clipped: 31 samples in 7 stretches",
-                     "6 samples on -4.99 from sample 4711"});
+                     "6 samples at -4.99 from sample 4711"});
 }
 
-TEST(Warnings, NamePeaksThatAreCutToOneSample) {
+TEST(Warnings, NamePeaksThatAreClippedToOneSample) {
   Found found;
   found.check.records[2].cut_tops = {1200, 0, 4.99, -3.2};
   expect_one(found, {"inner (inner.csv, variable 2): clipped: 1200 samples, 1 % of the record, lie "
@@ -151,16 +151,17 @@ TEST(Warnings, NameFewDistinctValues) {
   record.cut_tops = {1200, 0, 4.99, -3.2};
   record.level->rms = 1e-4;
   Found::set(found.line(1, 0), 0);
-  expect_one(found, {"outer (outer.csv, variable 2): takes 4 distinct values only: a dead sensor"});
+  expect_one(found,
+             {"outer (outer.csv, variable 2): has only 4 distinct values; the sensor is dead"});
 }
 
-TEST(Warnings, NameSamplesThatStandAlone) {
+TEST(Warnings, NameIsolatedSpikes) {
   Found found;
   found.check.records[0].lone = {1, 1000, 300, 1.0725};
-  expect_one(found, {"ok (ok.csv, variable 2): sample 1000 (300) stands alone",
+  expect_one(found, {"ok (ok.csv, variable 2): sample 1000 (300) is an isolated spike",
                      "farther than 1.07 ", "a spike"});
   found.check.records[0].lone = {3, 1000, 300, 1.0725};
-  expect_one(found, {"sample 1000 (300) and 2 more stand alone"});
+  expect_one(found, {"sample 1000 (300) and 2 more are isolated spikes"});
 }
 
 /// 3000 of 120000 samples.
@@ -179,10 +180,10 @@ TEST(Warnings, NameSamplesThatAreMissing) {
   raw::Times times{.column = 1, .gaps = 1, .missing = 1, .longest = 1, .longest_after = 4710};
   found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
   expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 jump 1 time: 1 sample is "
-                     "missing, the longest gap, of 1, follows sample 4710"});
+                     "missing; the longest gap, of 1, follows sample 4710"});
   times = {.column = 2, .gaps = 3, .missing = 50, .longest = 40, .longest_after = 4710};
   found.check.records[0].files[0].times = times;
-  expect_one(found, {"column 2 jump 3 times: 50 samples are missing, the longest gap, of 40,"});
+  expect_one(found, {"column 2 jump 3 times: 50 samples are missing; the longest gap, of 40,"});
 }
 
 TEST(Warnings, NameTimesThatGoBack) {
@@ -197,8 +198,8 @@ TEST(Warnings, NameUnevenTimes) {
   Found found;
   const raw::Times times{.column = 1, .is_named = true, .is_uneven = true, .mean_step = 1. / 12000};
   found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .times = times}};
-  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 step unevenly, by 8.33e-05 in "
-                     "the mean: spectra of such samples are wrong"});
+  expect_one(found, {"ok (ok.csv, variable 2): the times in column 1 step unevenly, by 8.33e-05 on "
+                     "average; spectra of such samples are wrong"});
 }
 
 TEST(Warnings, NameTimesOfAnotherRate) {
@@ -223,7 +224,7 @@ TEST(Warnings, NameARecordOfALowerRateThanTheDataSet) {
 }
 
 /// All other records have an RMS of 1.
-TEST(Warnings, NameALevelThatNoFaultHas) {
+TEST(Warnings, NameAnImplausibleLevel) {
   Found found;
   found.check.records[1].level->rms = 199;
   found.check.records[2].level->rms = 0.0051;
@@ -241,11 +242,11 @@ TEST(Warnings, NameALevelThatNoFaultHas) {
 TEST(Warnings, NameStretchesOfOneValue) {
   Found found;
   found.check.records[0].held = {3, 2400, 1200, 5000, 0};
-  expect_one(found, {"ok (ok.csv, variable 2): stands still at 0 for 1200 samples (0.1 s) from "
+  expect_one(found, {"ok (ok.csv, variable 2): constant at 0 for 1200 samples (0.1 s) from "
                      "sample 5000; 3 such stretches, 2 % of the record"});
 }
 
-TEST(Warnings, NameAStrideBelowAHundredWithWhatRandomIsWorth) {
+TEST(Warnings, NameAStrideBelowAHundredAndItsOverlap) {
   Found found;
   found.check.classes[3] = {3, 1, 100, 0.902, 0.16, ""};
   EXPECT_THAT(warnings_of(found), IsEmpty());
@@ -258,24 +259,24 @@ TEST(Warnings, NameAFaultThatDoesNotShowItsLine) {
   Found found;
   Found::set(found.line(3, 2), 1);
   expect_one(found, {"ball (ball.csv, variable 2): 2BSF (141.0 Hz, 1.0 dB), the line of its class, "
-                     "does not stand out: noise alone reaches 1.6; label"});
+                     "does not stand out: noise alone reaches 1.6 dB; the label"});
   Found::set(found.line(3, 2), 2.5);
   expect_one(found,
-             {"does not stand out: 40 % of the places where no fault has a line do as well"});
+             {"does not stand out: 40 % of the frequencies without a fault line stand out as far"});
   found.line(3, 2).harmonics_above_noise = 1;
-  expect_one(found, {"does not stand out: only one of its harmonics does; label"});
+  expect_one(found, {"does not stand out: only one of its harmonics does; the label"});
   Found::set(found.line(3, 0), 8);
   expect_one(found, {"; BPFO (107.3 Hz, 8.0 dB) does; "});
 }
 
-TEST(Warnings, NameAFaultThatShowsAnotherLineFarther) {
+TEST(Warnings, NameAFaultThatShowsAnotherLineMoreClearly) {
   Found found;
   Found::set(found.line(1, 1), 25);
-  expect_one(found, {"outer (outer.csv, variable 2): BPFI (162.2 Hz, 25.0 dB) stands out farther "
-                     "than BPFO (107.3 Hz, 20.0 dB), the line of its class"});
+  expect_one(found, {"outer (outer.csv, variable 2): BPFI (162.2 Hz, 25.0 dB) stands out more than "
+                     "BPFO (107.3 Hz, 20.0 dB), the line of its class"});
 }
 
-TEST(Warnings, NameSpeedAndRateWhereNearlyAllFaultsDoNotShowTheirLines) {
+TEST(Warnings, NameSpeedAndRateIfMostFaultsMissTheirLines) {
   Found found;
   Found::set(found.line(0, 1), 9.3);  // follows from the same error
   found.line(1, 0).stands_out = false;
@@ -296,21 +297,22 @@ TEST(Warnings, NameTheFactorByWhichAllLinesAreOff) {
   };
   const std::vector<std::size_t> own{0, 1, 2};  // outer, inner, ball
   for (const std::size_t i : own) move(i, factors[i]);
-  expect_one(found, {"3 of 3 faulty records show the line of their class at 0.95 times its place "
-                     "(outer, inner, ball)",
-                     "for outer, shaft_speed_rpm = 1707 in place of 1797",
-                     "sample_rate_hz = 1.263e+04 in place of 12000"});
+  expect_one(found,
+             {"3 of 3 faulty records show the line of their class at 0.95 times its frequency "
+              "(outer, inner, ball)",
+              "for outer, try shaft_speed_rpm = 1707 instead of 1797",
+              "sample_rate_hz = 1.263e+04 instead of 12000"});
   move(2, 1.3);  // two of three may agree by chance
   EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
   move(2, 0.95);
   found.line(3, 2).stands_out = true;  // at its own place
-  EXPECT_THAT(warnings_of(found), Not(Contains(HasSubstr("times its place"))));
+  EXPECT_THAT(warnings_of(found), Not(Contains(HasSubstr("times its frequency"))));
   for (const std::size_t i : own) move(i, 1.01);  // within slip
   EXPECT_THAT(warnings_of(found), ElementsAre(HasSubstr("only 0 of 3 faulty records")));
 }
 
 /// A line of the shaft has one frequency, whatever the fault.
-TEST(Warnings, NameNoFactorThatOneKindOfFaultAloneHas) {
+TEST(Warnings, IgnoreAFactorOfASingleFaultType) {
   Found found;
   for (const Label label : {1, 2, 3}) {
     found.check.records[index_of(label)].source.label = 1;
@@ -327,10 +329,10 @@ TEST(Warnings, NameAHealthyRecordThatShowsALine) {
   Found found;
   Found::set(found.line(0, 1), 9.3);
   expect_one(found, {"ok (ok.csv, variable 2): healthy, but BPFI (162.2 Hz, 9.3 dB) stands out: "
-                     "noise alone reaches 1.6, the weakest record of such a fault 20.0"});
+                     "noise alone reaches 1.6 dB, the weakest record of such a fault 20.0 dB"});
 }
 
-TEST(Warnings, AskNothingOfWhatCannotBeRead) {
+TEST(Warnings, IgnoreUnreadableRecords) {
   Found found;
   found.check.records[1] = {};
   found.check.records[1].source = found.description.records[1];

@@ -34,7 +34,7 @@ TEST(CellsView, HasARowForEachCell) {
   EXPECT_THAT(view, HasSubstr("Diagnoses: 6"));
 }
 
-TEST(CellsView, OfMoreThanAPageHoldsHasARowForAllSeeds) {
+TEST(CellsView, CombinesSeedsIfThereAreTooManyRows) {
   const std::string view = cells_view(with_cells(2000)).text();
   EXPECT_LT(view.size(), 10'000U);
   EXPECT_THAT(view, HasSubstr("The means above were made from 4000 cells."));

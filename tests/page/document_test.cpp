@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Document, HoldsStyleAndScriptAndForbidsEverythingElse) {
+TEST(Document, EmbedsStyleAndScriptAndForbidsEverythingElse) {
   const std::string page =
       document("a < b", {.css = "body{}", .script = "\"use strict\";"}, "text");
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
@@ -33,12 +33,12 @@ TEST(Document, TakesStyleAndScriptFromFiles) {
   EXPECT_EQ(style.script, "let a;\n");
 }
 
-TEST(Document, RefusesAScriptThatWouldEndItself) {
+TEST(Document, RefusesAScriptWithAnEndTag) {
   const Folder folder;
   EXPECT_ERROR(read_style(folder.path()), Exit::input_missing, "style.css");
   folder.write("style.css", "");
   folder.write("script.js", "let a = '</script>';");
-  EXPECT_ERROR(read_style(folder.path()), Exit::bad_input, "script.js: holds '</script'");
+  EXPECT_ERROR(read_style(folder.path()), Exit::bad_input, "script.js: contains '</script'");
 }
 
 }  // namespace

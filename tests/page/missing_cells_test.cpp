@@ -10,12 +10,12 @@ TEST(BelowRun, NamesFilesWithoutTheFolderOfTheRun) {
             "cwru/A.h5: damaged ('cwru/B.h5')");
 }
 
-TEST(BelowRun, LeavesFoldersWhoseNameEndsAsThatOfTheRun) {
+TEST(BelowRun, KeepsFoldersWhoseNameEndsLikeTheRuns) {
   EXPECT_EQ(below_run("t/cwru/seed0/shift/10to1/nearest/diagnosis.h5: is empty", "t"),
             "cwru/seed0/shift/10to1/nearest/diagnosis.h5: is empty");
 }
 
-TEST(ProblemsByFile, AreThoseThatNameIt) {
+TEST(ProblemsByFile, NameTheirFile) {
   const run::Layout layout("results/t", "cwru");
   const ProblemsByFile problems(
       layout, {"method shift, seed 1: results/t/cwru/seed1/shift/score.h5: is empty",

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Palette, Scheme,
                          testing::Values(":root {", "(prefers-color-scheme: dark)",
                                          "@media print"));
 
-TEST_P(Scheme, EveryTextCanBeReadOnItsGround) {
+TEST_P(Scheme, HasReadableTextOnEveryBackground) {
   const std::multimap<std::string, std::string> pairs{
       {"text", "ground"},      {"text", "panel"},    {"text", "bad-ground"},
       {"text", "low-1"},       {"text", "low-2"},    {"text", "low-3"},
@@ -73,13 +73,13 @@ TEST_P(Scheme, EveryTextCanBeReadOnItsGround) {
   }
 }
 
-TEST_P(Scheme, BarsStandOutOfTheGround) {
+TEST_P(Scheme, HasBarsThatStandOut) {
   for (const char* bar : {"bar", "bar-bad"}) {
     EXPECT_GE(contrast(palette_.at(bar), palette_.at("ground")), 3) << bar;
   }
 }
 
-TEST_P(Scheme, EachLowShadeIsStrongerThanTheOneBefore) {
+TEST_P(Scheme, HasIncreasinglyStrongShades) {
   const char* shades[] = {"ground", "low-1", "low-2", "low-3", "low-4"};
   for (std::size_t i = 0; i + 1 < std::size(shades); ++i) {
     EXPECT_GT(contrast(palette_.at(shades[i + 1]), palette_.at("ground")),
@@ -88,7 +88,7 @@ TEST_P(Scheme, EachLowShadeIsStrongerThanTheOneBefore) {
   }
 }
 
-TEST(Palette, TheFormulasGiveWhatIsKnown) {
+TEST(Palette, MatchesKnownContrasts) {
   const Colour white = colour_of("ffffff");
   EXPECT_NEAR(contrast(colour_of("000000"), white), 21, 1e-9);
   EXPECT_NEAR(contrast(colour_of("777777"), white), 4.48, 0.005);  // WCAG's own example

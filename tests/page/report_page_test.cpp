@@ -41,13 +41,13 @@ class ReportPage : public StoredRun {
   }
   /// Adds the log of a failed step.
   void add_failed(const std::string& name, const std::string& line) const {
-    write(name, "command\nstep: begun at 1\n" + line + "\nstep: exit 1 after 2.0 s\n");
+    write(name, "command\nstep: started at 1\n" + line + "\nstep: exit 1 after 2.0 s\n");
   }
 
   const fs::path run_;
 };
 
-TEST_F(ReportPage, ShowsTheMeanOfEachCellBesideWhatIsPublished) {
+TEST_F(ReportPage, ShowsTheMeanOfEachCellAndThePublishedValue) {
   add_all();
   const std::string html = page();
   // vae at 2to1: 17 and 19 of 20 windows are 85 and 95 %, mean 90, standard deviation sqrt(50).
@@ -67,7 +67,8 @@ TEST_F(ReportPage, ShowsDecisionsOverSeveralWindowsAndWhatMayBeAnswered) {
   }
   std::string html = page();
   EXPECT_THAT(html, HasSubstr("are left out: the run does not hold the test windows"));
-  EXPECT_THAT(html, HasSubstr("answers of vae are: all windows are answered, or none."));
+  EXPECT_THAT(html,
+              HasSubstr("No confidence is reported by vae: all windows are answered, or none."));
   EXPECT_THAT(html, Not(HasSubstr("10 windows")));
   for (const int seed : {0, 1}) {
     save_tested_windows(layout_, "cwru", seed, std::vector<Label>(20, 1), one_record(20));
@@ -79,7 +80,7 @@ TEST_F(ReportPage, ShowsDecisionsOverSeveralWindowsAndWhatMayBeAnswered) {
   EXPECT_THAT(html, HasSubstr("title=\"/scores of 2 seeds\">10.00 ± 7.07"));
 }
 
-TEST_F(ReportPage, SaysFirstWhereFaultsAreKnownAndTested) {
+TEST_F(ReportPage, StartsWithTheConditionsOfFaults) {
   scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, 0, 12);
   record.info.conditions = {{"1200 rpm", 1200, true, false, true},
                             {"900 rpm", 900, false, true, true}};
@@ -89,7 +90,7 @@ TEST_F(ReportPage, SaysFirstWhereFaultsAreKnownAndTested) {
   EXPECT_THAT(text(), HasSubstr(sentence));
 }
 
-TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
+TEST_F(ReportPage, ShowsGainsWithASignAndAColour) {
   add_all();
   // 85 - 60 and 95 - 65 points; published 91.2 - 61.8.
   EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +27.50 ± 3.54</span>"
@@ -101,19 +102,20 @@ TEST_F(ReportPage, ShowsGainsWithASignBesideTheColour) {
 }
 
 /// vae at 2to1: 90 %. Wrong windows are taken for the outer race, so no fault is missed.
-TEST_F(ReportPage, SaysWhichMethodToTake) {
+TEST_F(ReportPage, RecommendsAMethod) {
   add_all();
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("<h2>Which method to take</h2>\n<p class=\"verdict\">Recommended on "
-                              "cwru: vae, right in 90.0 % of the test windows (2 seeds)"));
-  EXPECT_THAT(html, HasSubstr("2 seeds cannot tell: none (-27.5 points). At least 6 seeds could."));
+                              "cwru: vae, correct in 90.0 % of the test windows (2 seeds)"));
+  EXPECT_THAT(html, HasSubstr("With 2 seeds it cannot be decided if those that need less are as "
+                              "good: none (-27.5 points). At least 6 seeds are needed."));
   EXPECT_THAT(html, HasSubstr("<td class=\"helps\">yes</td>"));
   EXPECT_THAT(html, HasSubstr("title=\"0 of 40 windows\">0.0</td>"));
   EXPECT_THAT(html, HasSubstr("Which method to take at each ratio on cwru<"));
   EXPECT_THAT(text(), HasSubstr("\n## Which method to take on cwru\n\nRecommended on cwru: vae"));
 }
 
-TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
+TEST_F(ReportPage, NamesTheArtefactsBehindANumber) {
   add_all();
   const std::string html = page();
   EXPECT_THAT(
@@ -124,7 +126,7 @@ TEST_F(ReportPage, SaysWhichArtefactsANumberCameFrom) {
   EXPECT_THAT(html, HasSubstr("<code>" + reader.digest().substr(0, 16) + "</code>"));
 }
 
-TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
+TEST_F(ReportPage, ShowsTheBaselineAndEachOtherClassifier) {
   add_all();
   EXPECT_THAT(page(), Not(HasSubstr("nearest")));
   for (const int seed : {0, 1}) add(by("nearest", diagnosis("none", "100to1", 0, seed, 19)));
@@ -147,20 +149,20 @@ TEST_F(ReportPage, HasTheBarInItsTableAndTablesOfEachOtherClassifier) {
   EXPECT_THAT(html, HasSubstr("vae by wdcnn-spectrum; 2:1; seeds 0, 1"));
 }
 
-TEST_F(ReportPage, SaysTheVerdictInTheWordsOfTheSummary) {
+TEST_F(ReportPage, ShowsTheVerdictOfTheSummary) {
   add_all();
   EXPECT_THAT(page(),
-              HasSubstr("With 145 generated windows of each fault, and measured in points "
-                        "against the 62.5 without any: vae (+27.5). These are of two seeds"));
+              HasSubstr("With 145 generated windows of each fault, in points "
+                        "against the 62.5 % without any: vae (+27.5). These are two seeds"));
 }
 
-TEST_F(ReportPage, ACompleteRunSaysThatAllIsThere) {
+TEST_F(ReportPage, ReportsACompleteRun) {
   add_all();
   EXPECT_THAT(page(), HasSubstr("✔ All 6 diagnoses and 2 scores are there."));
   EXPECT_THAT(page(), Not(HasSubstr("missing:")));
 }
 
-TEST_F(ReportPage, NamesWhatIsMissingOnTopAndWhy) {
+TEST_F(ReportPage, NamesMissingCellsAndWhyAtTheTop) {
   add_baseline();
   add(diagnosis("vae", "10to1", 45, 0, 15));
   add(quality("vae", 0, 0.5));
@@ -174,7 +176,7 @@ TEST_F(ReportPage, NamesWhatIsMissingOnTopAndWhy) {
               HasSubstr("<a href=\"./cwru/seed1/vae/train.log\">cwru/seed1/vae/train.log</a>"));
 }
 
-TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
+TEST_F(ReportPage, ShowsTheNumberOfSeedsOfAnUnfinishedRun) {
   add_baseline();
   add(diagnosis("vae", "10to1", 45, 1, 15));
   // One seed: 75 %, and 75 - 65 points, paired with the same seed of none. One seed shows no
@@ -185,7 +187,7 @@ TEST_F(ReportPage, MeansOfAnUnfinishedRunSayOfHowManySeedsTheyAre) {
   EXPECT_THAT(page(), HasSubstr("<span class=\"ours\">○ +10.00</span>"));
 }
 
-TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
+TEST_F(ReportPage, CountsRequestedCellsThatDidNotStartAsMissing) {
   add_all();
   const RequestedCells requested{
       .cells = {.methods = {"none vae smote"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1 2"}}};
@@ -200,7 +202,7 @@ TEST_F(ReportPage, WhatIsAskedForAndNotBegunIsMissing) {
   EXPECT_THAT(page(requested), HasSubstr("paper 91.20"));
 }
 
-TEST_F(ReportPage, ADamagedCellIsRefusedByName) {
+TEST_F(ReportPage, NamesADamagedCell) {
   add_all();
   write("cwru/seed1/vae/2to1/wdcnn/diagnosis.h5", "no artefact");
   const std::string html = page();
@@ -209,32 +211,32 @@ TEST_F(ReportPage, ADamagedCellIsRefusedByName) {
   EXPECT_THAT(html, HasSubstr("cwru/seed1/vae/2to1/wdcnn/diagnosis.h5: "));
 }
 
-TEST_F(ReportPage, TellsFailedFromInterruptedAndRunningSteps) {
+TEST_F(ReportPage, DistinguishesFailedInterruptedAndRunningSteps) {
   add_baseline();
-  write("cwru/seed0/vae/train.log", "command\nstep: begun at 1\nstep: exit 75 after 1.0 s\n");
-  write("cwru/seed1/vae/train.log", "command\nstep: begun at 1\n");
+  write("cwru/seed0/vae/train.log", "command\nstep: started at 1\nstep: exit 75 after 1.0 s\n");
+  write("cwru/seed1/vae/train.log", "command\nstep: started at 1\n");
   const RequestedCells requested{
       .cells = {.methods = {"none vae"}, .ratios = {"100to1 10to1"}, .seeds = {"0 1"}}};
   EXPECT_THAT(page(requested),
               HasSubstr("4 of 6 cells are missing: 2 interrupted and 2 running or killed."));
 }
 
-TEST_F(ReportPage, WithoutRecordingsSaysSo) {
+TEST_F(ReportPage, ReportsMissingRecordings) {
   add_failed("cwru/ingest.log", "ingest: data/cwru/97.mat: no such file");
   const RequestedCells requested{
       .datasets = {"cwru"}, .cells = {.methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}}};
   const std::string html = page(requested);
   EXPECT_THAT(html, HasSubstr("data/cwru/97.mat: no such file"));
-  EXPECT_THAT(html, HasSubstr("No diagnosis is there yet."));
+  EXPECT_THAT(html, HasSubstr("There is no diagnosis yet."));
 }
 
-TEST_F(ReportPage, OfNothingAtAllIsAnError) {
+TEST_F(ReportPage, FailsWithoutACell) {
   fs::create_directories(run_);
   EXPECT_ERROR(page(), Exit::input_missing, "holds no cell of any data set");
   EXPECT_ERROR(page({.datasets = {"cwru"}}), Exit::input_missing, "holds no cell");
 }
 
-TEST_F(ReportPage, LeavesOutADataSetOfWhichOnlyAnotherQuestionWasAsked) {
+TEST_F(ReportPage, LeavesOutADataSetWithoutRequestedCells) {
   add_all();
   write("simulated/seed0/vae/train.log", "");  // as `make identify` leaves it
   write("simulated/identifiability.csv", "");
@@ -242,18 +244,18 @@ TEST_F(ReportPage, LeavesOutADataSetOfWhichOnlyAnotherQuestionWasAsked) {
 }
 
 /// No folder records the requested ratios, so all are missing.
-TEST_F(ReportPage, NamesADataSetOfWhichNoTrainingWasDone) {
+TEST_F(ReportPage, NamesADataSetWithoutTraining) {
   add_all();
   add_failed("hit-sm/seed0/vae/train.log", "train: hit-sm/seed0/C.h5: damaged");
   EXPECT_THAT(page(), AllOf(HasSubstr("7 of 15 cells are missing: 7 failed."),
                             HasSubstr("vae; 50:1, 25:1, 10:1, 5:1, 2:1 and 1:1; seed 0"),
                             HasSubstr("hit-sm/seed0/C.h5: damaged")));
   write("hit-sm/identifiability.csv", "");
-  write("hit-sm/seed0/vae/2to1/wdcnn/diagnose.log", "command\nstep: begun at 1\n");
+  write("hit-sm/seed0/vae/2to1/wdcnn/diagnose.log", "command\nstep: started at 1\n");
   EXPECT_THAT(page(), HasSubstr("2 of 10 cells are missing"));
 }
 
-TEST_F(ReportPage, HostileNamesStayText) {
+TEST_F(ReportPage, EscapesHostileNames) {
   const std::string hostile = "<script>alert('1')</script>\" onload=\"x";
   add(diagnosis("none", "100to1", 0, 0, 12));
   // A class of this name is refused, so the page does not even show it.
@@ -271,7 +273,7 @@ TEST_F(ReportPage, HostileNamesStayText) {
   EXPECT_EQ(html.find("<script"), html.rfind("<script"));
 }
 
-TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
+TEST_F(ReportPage, WritesTheSameBytesInAnyFolder) {
   add_all();
   add_failed("cwru/seed2/vae/train.log",
              "train: " + (run_ / "cwru/seed2/C.h5").string() + ": damaged");
@@ -283,7 +285,7 @@ TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
   fs::copy(run_, elsewhere, fs::copy_options::recursive);
   // The steps of the copy ran in the other folder.
   std::ofstream(elsewhere / "cwru/seed2/vae/train.log")
-      << "command\nstep: begun at 1\ntrain: " << (elsewhere / "cwru/seed2/C.h5").string()
+      << "command\nstep: started at 1\ntrain: " << (elsewhere / "cwru/seed2/C.h5").string()
       << ": damaged\nstep: exit 1 after 2.0 s\n";
   const report::Published published(folder_.path());
   const ReportContents there = read_report(elsewhere, {}, published);
@@ -292,17 +294,17 @@ TEST_F(ReportPage, TheSameCellsGiveTheSameBytesInAnyFolder) {
   EXPECT_THAT(here, Not(HasSubstr(folder_.path().string())));
 }
 
-TEST_F(ReportPage, HowLongStepsTookIsNotInIt) {
+TEST_F(ReportPage, DoesNotShowDurations) {
   add_all();
   write("cwru/seed0/split.log",
-        "command\nstep: begun at 1763800000.5\nstep: exit 0 after 12.3 s\n");
+        "command\nstep: started at 1763800000.5\nstep: exit 0 after 12.3 s\n");
   const std::string before = page();
   write("cwru/seed0/split.log",
-        "command\nstep: begun at 1863800000.5\nstep: exit 0 after 99.9 s\n");
+        "command\nstep: started at 1863800000.5\nstep: exit 0 after 99.9 s\n");
   EXPECT_EQ(page(), before);
 }
 
-TEST_F(ReportPage, AsksForNothingFromAnywhere) {
+TEST_F(ReportPage, DoesNotLoadAnythingFromElsewhere) {
   add_all();
   write("cwru/figures/fig15-gains.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
   write("cwru/figures/fig15-gains.csv", "a,b\n");
@@ -322,7 +324,7 @@ TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
   write("cwru/figures/fig15-gains.csv", "method,gain\nvae,27.5\n");
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("<section id=\"cwru-figure-fig15-gains\" class=\"card\">"));
-  EXPECT_THAT(html, HasSubstr("Fig. 15: What generated windows gain, by ratio"));
+  EXPECT_THAT(html, HasSubstr("Fig. 15: Gain of generated windows, by ratio"));
   EXPECT_THAT(
       html,
       HasSubstr("src=\"data:image/svg+xml;charset=utf-8,%3Csvg viewBox=%220 0 960 600%22%3E%3Crect "
@@ -332,21 +334,22 @@ TEST_F(ReportPage, HoldsEachFigureWithAnAnchorItsCaptionAndItsNumbers) {
                               "download=\"cwru-fig15-gains.csv\">CSV</a>"));
   EXPECT_THAT(html, HasSubstr("From cwru/seed*/&lt;method&gt;/&lt;ratio&gt;/"
                               "&lt;classifier&gt;/diagnosis.h5"));
-  EXPECT_THAT(html, HasSubstr("alt=\"Fig. 15: What generated windows gain, by ratio, on cwru. "));
+  EXPECT_THAT(html, HasSubstr("alt=\"Fig. 15: Gain of generated windows, by ratio, on cwru. "));
 }
 
-TEST_F(ReportPage, ShowsNothingOfWhatIsOutOfDateButItsName) {
+TEST_F(ReportPage, NamesStaleCellsWithoutTheirNumbers) {
   add_all();
   const RequestedCells requested{.leave_out = {"cwru/seed0/vae", "cwru/seed1/vae"}};
   for (const std::string& shown : {page(requested), text(requested)}) {
-    EXPECT_THAT(shown,
-                HasSubstr("left out, since they are damaged, or of other settings or inputs"));
+    EXPECT_THAT(
+        shown,
+        HasSubstr("left out, because they are damaged or were made with other settings or inputs"));
     EXPECT_THAT(shown, Not(HasSubstr("90.0")));  // the mean of vae at 2to1
   }
   EXPECT_THAT(text(requested), HasSubstr("All 2 diagnoses"));
 }
 
-TEST_F(ReportPage, AFigureMayHaveSeveralPictures) {
+TEST_F(ReportPage, ShowsSeveralPicturesOfAFigure) {
   add_all();
   write("cwru/figures/fig15-gains@OR.svg", "<svg/>");
   write("cwru/figures/fig15-gains@IR.svg", "<svg/>");
@@ -361,21 +364,21 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
         "figures: fig07-losses is not drawn: needs the method piae-dt, which is not in the "
         "grid\nfigures: fig13-14-quality is not drawn: " +
             (run_ / "cwru/seed0/vae/score.h5").string() +
-            ": no such file\nleft out fig19-sweep: there is no sweep (make sweep)\n");
+            ": no such file\nleft out fig19-sweep: there is no sweep; run `make sweep`\n");
   write("cwru/figures/fig15-gains.csv", "a,b\n");
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("<b>needs the method piae-dt, which is not in the grid</b>: Fig. 7: "
                               "Losses of PIAE-DT by epoch (fig07-losses)</li>"));
   EXPECT_THAT(html, HasSubstr("<b>cwru/seed0/vae/score.h5: no such file</b>: Figs 13 and 14: "));
-  EXPECT_THAT(html, HasSubstr("<b>its numbers are there, but gnuplot has not drawn them</b>: "
+  EXPECT_THAT(html, HasSubstr("<b>its numbers exist, but gnuplot has not drawn them</b>: "
                               "Fig. 15: "));
-  EXPECT_THAT(html, HasSubstr("<b>make figures has not been run since its cells are there</b>: "));
+  EXPECT_THAT(html, HasSubstr("<b>make figures has not run since its cells exist</b>: "));
   // A figure that the run does not need is not a problem.
-  EXPECT_THAT(html, HasSubstr("<p>Left out, as this run is without what they show</p>\n<ul><li>"
-                              "<b>there is no sweep (make sweep)</b>: Fig. 19: "));
+  EXPECT_THAT(html, HasSubstr("<p>Left out, because this run lacks what they show</p>\n<ul><li>"
+                              "<b>there is no sweep; run `make sweep`</b>: Fig. 19: "));
 }
 
-TEST_F(ReportPage, RecallIsThatOfTheConfusionsSummedOverSeeds) {
+TEST_F(ReportPage, ComputesRecallFromSummedConfusions) {
   add_all();
   const std::string html = page();
   // All windows are of class IR. At 2to1 17 and 19 of 20 are recognised, 36 of 40; the others are
@@ -400,7 +403,7 @@ TEST_F(ReportPage, CountsMissedFaultsAndFalseAlarms) {
                             HasSubstr("title=\"1 of 4 windows\">25.0</td>")));
 }
 
-TEST_F(ReportPage, ShowsSettingsFilesAsTheyAre) {
+TEST_F(ReportPage, ShowsSettingsFilesUnchanged) {
   add_all();
   write(".settings/train.vae.toml", "# <b>more</b>\nbatch = 5\nwidth = 7.94\n");
   write(".settings/datasets/cwru.toml", "unit = 9.8\n");
@@ -410,7 +413,7 @@ TEST_F(ReportPage, ShowsSettingsFilesAsTheyAre) {
                               "batch = 5\nwidth = 7.94\n</pre>"));
 }
 
-TEST_F(ReportPage, ProvenanceNamesBuildAndMachine) {
+TEST_F(ReportPage, ShowsBuildAndMachine) {
   add_all();
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr(text::markup_text(artefact::build_version())));
@@ -418,7 +421,7 @@ TEST_F(ReportPage, ProvenanceNamesBuildAndMachine) {
   EXPECT_THAT(html, HasSubstr(text::markup_text(artefact::cpu_settings())));
 }
 
-TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
+TEST_F(ReportPage, WritesANarrowReportMd) {
   add_all();
   add_failed("cwru/seed2/vae/train.log", "train: diverged");
   const RequestedCells requested{
@@ -426,14 +429,14 @@ TEST_F(ReportPage, ReportMdIsNarrowAndHasTheVerdictTheTableAndWhatIsMissing) {
   const std::string markdown = text(requested);
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) EXPECT_THAT(line, SizeIs(Le(100U)));
-  EXPECT_THAT(markdown, HasSubstr("4 of 12 cells are missing: 3 failed and 1 not begun."));
+  EXPECT_THAT(markdown, HasSubstr("4 of 12 cells are missing: 3 failed and 1 not started."));
   EXPECT_THAT(markdown, HasSubstr("(+27.5)."));
   EXPECT_THAT(markdown, HasSubstr("percent; without generated windows 62.5‡/61.8"));
   EXPECT_THAT(markdown, HasSubstr("| method |  10:1 |        2:1 |"));
   EXPECT_THAT(markdown, HasSubstr("| vae    | 75.0‡ | 90.0‡/91.2 |"));
 }
 
-TEST_F(ReportPage, ReportMdHasATableWhereNothingWasGenerated) {
+TEST_F(ReportPage, WritesATableInReportMdWithoutGeneratedWindows) {
   add_baseline();
   EXPECT_THAT(text(), HasSubstr("| method |     100:1 |\n|--------|----------:|\n| none   | "));
 }
@@ -461,13 +464,13 @@ ReportContents large_run(std::size_t cells, std::size_t bytes_of_a_picture) {
   return {.datasets = {dataset}, .figures = {figures}};
 }
 
-TEST(ReportSize, OfTheRunOfThePaperIsFifteenMegabytesAtMost) {
+TEST(ReportSize, IsAtMostFifteenMegabytesForThePapersRun) {
   const std::string html = report_page(large_run(2000, 200'000), {});
   EXPECT_LE(html.size(), most_bytes_of_report);
   EXPECT_THAT(html, Not(HasSubstr("too large to send")));
 }
 
-TEST(ReportSize, WhatDoesNotFitIsLinkedTheLargestFirst) {
+TEST(ReportSize, LinksTheLargestPicturesIfTheyDoNotFit) {
   const std::string html = report_page(large_run(2000, 300'000), {});
   EXPECT_LE(html.size(), most_bytes_of_report);
   EXPECT_GE(html.size(), most_bytes_of_report - 300'000);

@@ -25,7 +25,7 @@ run::StepLog step(const std::string& file, double started, double elapsed,
           .elapsed_s = elapsed};
 }
 
-TEST(Durations, AreInAUnitThatFits) {
+TEST(Durations, UseASuitableUnit) {
   EXPECT_EQ(duration_label(0.42), "0.4 s");
   EXPECT_EQ(duration_label(12.3), "12 s");
   EXPECT_EQ(duration_label(312), "5.2 min");
@@ -33,7 +33,7 @@ TEST(Durations, AreInAUnitThatFits) {
   EXPECT_EQ(moment_label(1763815560.9), "2025-11-22 12:46 UTC");  // date -u -d @1763815560
 }
 
-TEST(TimeLine, PartsSessionsByLongPauses) {
+TEST(TimeLine, SeparatesSessionsAtLongPauses) {
   const auto sessions = sessions_of({step("a.log", 0, 100), step("b.log", 50, 10),
                                      step("c.log", 700, 5), step("d.log", 1306, 5)});
   ASSERT_EQ(sessions.size(), 2U);  // 100 to 700 is ten minutes, 705 to 1306 is more
@@ -41,13 +41,13 @@ TEST(TimeLine, PartsSessionsByLongPauses) {
   EXPECT_EQ(sessions[1].begin_s, 1306);
 }
 
-TEST(TimeLine, StagesStandInTheOrderOfTheRun) {
+TEST(TimeLine, OrdersStagesAsTheyRan) {
   EXPECT_THAT(
       stages_in_order({step("sweep.log", 0, 1), step("train.log", 0, 1), step("ingest.log", 0, 1)}),
       ElementsAre("ingest", "train", "sweep"));
 }
 
-TEST(TimeLine, StepsThatOverlapLieInLanes) {
+TEST(TimeLine, PutsOverlappingStepsIntoLanes) {
   const std::string picture = time_line({step("x/train.log", 0, 85), step("y/train.log", 0, 42.5),
                                          step("z/train.log", 60, 25)})
                                   .text();
@@ -68,9 +68,8 @@ TEST(RunPage, SumsTimeAndMemoryByStageAndMethod) {
   steps[1].memory_mb = 153.4;
   const std::string page = run_page(steps, {});
   EXPECT_THAT(
-      page,
-      HasSubstr("3 steps took 92 s; one after the other they would take 92 s, of which 87 s is "
-                "processor time. No step held more than 153 MB of memory."));
+      page, HasSubstr("3 steps took 92 s; one after another they would take 92 s, of which 87 s is "
+                      "processor time. No step used more than 153 MB of memory."));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">train vae</th>"
                               "<td class=\"number\" data-sort=\"2\">2</td><td class=\"number\" "
                               "data-sort=\"0\">0</td><td class=\"number\" data-sort=\"90\">90 "
@@ -96,7 +95,7 @@ run::StepLog used(const std::string& file, double seconds, run::StepEnd end = ru
 
 /// Two seeds with 40 and 60 s of training give 50 s, with 2 s of generating. The ratio with the
 /// most windows counts. Unfinished steps and steps of a sweep do not.
-TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
+TEST(RunPage, SumsTheTimeOfAMethodAndClassifierPerSeed) {
   const std::string page =
       run_page({used("cwru/seed0/vae/train.log", 40), used("cwru/seed1/vae/train.log", 60),
                 used("cwru/seed0/vae/generate.log", 2),
@@ -126,11 +125,11 @@ TEST(RunPage, SumsWhatAMethodWithAClassifierTakesOfASeed) {
   EXPECT_THAT(page, Not(HasSubstr("<td>10:1</td>")));
   EXPECT_THAT(page, Not(HasSubstr("<td>batch-1</td>")));
   EXPECT_THAT(run_page({used("cwru/seed0/vae/train.log", 40)}, {}),
-              Not(HasSubstr("that each method takes")));
+              Not(HasSubstr("Processor time of each method")));
 }
 
 /// The log of such a step has only the time since the step continued.
-TEST(RunPage, TakesNoTimeFromAStepThatWentOn) {
+TEST(RunPage, IgnoresTheTimeOfAResumedStep) {
   run::StepLog second_half = used("cwru/seed0/vae/train.log", 30);
   second_half.went_on = true;
   const std::vector<run::StepLog> steps{second_half, used("cwru/seed1/vae/train.log", 60),
@@ -155,7 +154,7 @@ TEST(RunPage, ShowsWhyAStepFailed) {
 }
 
 /// A row and a bar for each of a hundred thousand steps would make a page of 60 MB.
-TEST(RunPage, OfManyStepsListsThoseThatAreNotDone) {
+TEST(RunPage, ListsOnlyUnfinishedStepsIfThereAreMany) {
   std::vector<run::StepLog> steps;
   for (int i = 0; i < 100'000; ++i) {
     steps.push_back(step(fmt::format("cwru/seed{}/split.log", i), i, 1));
@@ -163,15 +162,15 @@ TEST(RunPage, OfManyStepsListsThoseThatAreNotDone) {
   steps[70'000].end = run::StepEnd::failed;
   const std::string page = run_page(steps, {});
   EXPECT_LT(page.size(), 1'000'000U);
-  EXPECT_THAT(page, HasSubstr("100000 steps are too many for a page: their logs lie beside what "
-                              "they made. 1 are not done."));
+  EXPECT_THAT(page, HasSubstr("100000 steps are too many for a page: their logs are next to their "
+                              "outputs. 1 are not done."));
   EXPECT_THAT(page, HasSubstr("<rect class=\"bar failed\""));
   EXPECT_THAT(page, HasSubstr("cwru/seed70000/split.log</a>"));
   EXPECT_THAT(page, HasSubstr("<title>cwru/seed0/split.log, and "));
 }
 
-TEST(RunPage, OfARunWithoutLogsSaysSo) {
-  EXPECT_THAT(run_page({}, {}), HasSubstr("No step of this run has left a log."));
+TEST(RunPage, ReportsARunWithoutLogs) {
+  EXPECT_THAT(run_page({}, {}), HasSubstr("No step of this run has a log."));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ report::Section two_rows() {
   return {"accuracy", "Accuracy, percent", "", table};
 }
 
-TEST(PageTable, NamesItsRowsAndColumnsForThoseWhoCannotSeeIt) {
+TEST(PageTable, LabelsRowsAndColumnsForScreenReaders) {
   const std::string text = html(two_rows()).text();
   EXPECT_THAT(text, HasSubstr("<caption>Accuracy, percent</caption>"));
   EXPECT_THAT(text, HasSubstr("<th scope=\"col\">method</th>"));
@@ -26,7 +26,7 @@ TEST(PageTable, NamesItsRowsAndColumnsForThoseWhoCannotSeeIt) {
   EXPECT_THAT(text, HasSubstr("<th scope=\"row\">&lt;b&gt;</th>"));
 }
 
-TEST(PageTable, ANumberHasWhatItIsSortedByAndWhereItCameFrom) {
+TEST(PageTable, StoresSortKeyAndSourceOfANumber) {
   const std::string text = html(two_rows()).text();
   EXPECT_THAT(
       text,
@@ -34,13 +34,13 @@ TEST(PageTable, ANumberHasWhatItIsSortedByAndWhereItCameFrom) {
   EXPECT_THAT(text, HasSubstr("<td class=\"number\">–</td>"));
 }
 
-TEST(PageTable, ScrollsInABoxThatTheKeyboardReaches) {
+TEST(PageTable, ScrollsInAFocusableBox) {
   EXPECT_THAT(html(two_rows()).text(),
               HasSubstr("<div class=\"scroll\" role=\"region\" tabindex=\"0\" "
                         "aria-label=\"Accuracy, percent\">"));
 }
 
-TEST(PageTable, ACellHasFurtherLinesAndLinksToFiles) {
+TEST(PageTable, ShowsFurtherLinesAndLinksInACell) {
   text::Table table({"a", "b", "c"}, 3);
   text::Cell lines = "90.00";
   lines.more = {"paper 91.20", ""};
@@ -57,7 +57,7 @@ TEST(PageTable, ACellHasFurtherLinesAndLinksToFiles) {
   EXPECT_THAT(text, HasSubstr("<code>0a1b</code>"));
 }
 
-TEST(PageTable, HasTheColumnsOfPagesButNotThoseOfCsv) {
+TEST(PageTable, ShowsColumnsOfPagesButNotOfCsv) {
   text::Table table({"method"}, 1);
   table.column({"alarms", true, "", text::Shown::on_pages});
   table.column({"std", true, "std", text::Shown::in_csv});
@@ -69,14 +69,14 @@ TEST(PageTable, HasTheColumnsOfPagesButNotThoseOfCsv) {
   EXPECT_EQ(table.csv(), "std\n0.1234\n");
 }
 
-TEST(PageTable, OnlyALongOneIsFiltered) {
+TEST(PageTable, HasAFilterOnlyIfLong) {
   report::Section section = two_rows();
   EXPECT_THAT(html(section).text(), Not(HasSubstr("long")));
   for (int i = 2; i < 25; ++i) section.table.row({"vae", "1"});
   EXPECT_THAT(html(section).text(), HasSubstr("<table class=\"sortable long\">"));
 }
 
-TEST(PageTable, SaysBelowWhereItsNumbersComeFrom) {
+TEST(PageTable, NamesTheSourceBelow) {
   report::Section section = two_rows();
   section.note = "From a & b.";
   EXPECT_THAT(html(section).text(), HasSubstr("<p class=\"below\">From a &amp; b.</p>"));

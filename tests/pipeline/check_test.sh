@@ -13,7 +13,7 @@ check_stage() {
 
 called() { make --silent "$@" BIN=fake; }
 
-test_everything_is_compared_unless_a_part_is_given() {
+test_compares_everything_unless_a_part_is_given() {
   check_stage
   expect_equal "$(called check RUN=try)" \
     "--run results/try --reference results/reference --tolerance auto"
@@ -37,25 +37,25 @@ test_reference_stores() {
     "--run results/try --reference results/reference --datasets cwru --store"
 }
 
-test_a_difference_is_a_failure() {
+test_fails_for_a_difference() {
   check_stage
   expect_exit 0 called check
   touch moved
   expect_exit 2 called check
 }
 
-test_the_run_is_left_as_it_is() {
+test_does_not_change_the_run() {
   check_stage
   called check >/dev/null
   called reference >/dev/null
   [[ ! -e results/t ]] || fail "there is $(find results/t)"
 }
 
-test_a_misspelled_protocol_is_refused_before_anything_is_compared_or_stored() {
+test_refuses_a_misspelled_protocol_before_comparing_or_storing() {
   local goal
   for goal in check reference; do
     expect_line "$(make --silent $goal BIN=fake RUN=try PROTOCOL=Blocked 2>&1 || true)" \
-      "PROTOCOL: random or blocked, not 'Blocked'"
+      "PROTOCOL: must be random or blocked, not 'Blocked'"
   done
   [[ ! -e calls ]] || fail "ran: $(<calls)"
 }

@@ -31,7 +31,7 @@ test_failed_and_not_started_are_failures() {
   expect_exit 1 count
 }
 
-test_nothing_run_is_no_success() {
+test_fails_if_no_test_ran() {
   case_of A notrun "$skipped" >report.xml
   expect_exit 1 count
 }
@@ -53,7 +53,7 @@ without_data='<testcase name="Real" status="run" result="skipped" time="0" class
 no "recordings"]]></skipped>
 </testcase>'
 
-test_tests_of_a_room_count_one_by_one() {
+test_counts_tests_of_a_room_one_by_one() {
   room twin "$good"$'\n'"$without_data"
   room nets "$good"$'\n'"$bad"
   { case_of A run "" && case_of room.twin run "" && case_of room.nets fail ""; } >report.xml
@@ -62,21 +62,21 @@ test_tests_of_a_room_count_one_by_one() {
   expect_exit 1 count_with_rooms
 }
 
-test_room_that_left_no_report_failed() {
+test_a_room_without_a_report_failed() {
   room twin "$good"
   { case_of room.twin run "" && case_of room.nets fail "" && case_of room.phase notrun ""; } >report.xml
   expect_equal "$(count_with_rooms || true)" "$(printf '%s\n' 'failed: room.nets' 'failed: room.phase' \
     '1 passed, 2 failed, 0 skipped')"
 }
 
-test_room_that_crashed_after_its_report_failed() {
+test_a_room_that_crashed_after_its_report_failed() {
   room twin "$good"
   case_of room.twin fail "" >report.xml
   expect_equal "$(count_with_rooms || true)" "$(printf '%s\n' 'failed: room.twin' \
     '1 passed, 1 failed, 0 skipped')"
 }
 
-test_the_ten_slowest_of_all_reports_are_named_slowest_first() {
+test_names_the_ten_slowest_tests_slowest_first() {
   local number
   for number in {1..12}; do
     printf '\t<testcase name="T%d" classname="x" time="%d.25" status="run">\n' "$number" "$number"
@@ -86,7 +86,7 @@ test_the_ten_slowest_of_all_reports_are_named_slowest_first() {
 $(printf '%8.1f  %s\n' 100.5 Slow 12.2 T12 11.2 T11 10.2 T10 9.2 T9 8.2 T8 7.2 T7 6.2 T6 5.2 T5 4.2 T4)"
 }
 
-test_a_patience_that_cannot_be_is_refused() {
+test_refuses_an_invalid_patience() {
   local patience
   for patience in 0 -1 1.5 much; do
     expect_equal "$(PIAE_TEST_PATIENCE=$patience "$project/tests/run.sh" quick 2>&1 || echo "exit $?")" \

@@ -25,7 +25,7 @@ old_run() {
   rm calls results/t/.journal # did not exist before 0.1.0
 }
 
-test_make_refuses_such_a_run_in_one_line() {
+test_make_refuses_an_old_run_in_one_line() {
   old_run
   state >before
   local goal line='results/t/real: its cells are laid out as before 0.1.0 \(seed0/[^ ]*to1/diagnosis.h5\); pipeline/new_layout.sh results/t moves them'
@@ -40,7 +40,7 @@ test_make_refuses_such_a_run_in_one_line() {
   expect_line "$(cells cells 2>&1 || true)" '\(seed0/readings/base/10to1/diagnosis.h5\)'
 }
 
-test_one_command_moves_the_files_and_no_cell_is_computed_again() {
+test_one_command_moves_the_files_without_recomputing_a_cell() {
   old_run
   expect_line "$(new_layout results/t)" '^results/t: [0-9]+ files moved$'
   expect_equal "$(state)" "$(<new)"
@@ -49,19 +49,19 @@ test_one_command_moves_the_files_and_no_cell_is_computed_again() {
   expect_equal "$(ran_with_features)" "1 tabulate, 1 trust" # nothing records how their tables were made
 }
 
-test_what_is_not_a_run_is_refused_and_no_file_replaced() {
+test_refuses_other_folders_and_does_not_replace_files() {
   old_run
   state >before
   expect_exit 65 pipeline/new_layout.sh results/t results/published
   expect_equal "$(new_layout results/t results/published)" \
-    'new_layout.sh: results/published: is not a run, since it has no folder DATASET/seedK; name one such as results/paper'
+    'new_layout.sh: results/published: is not a run, because it does not have a folder DATASET/seedK; name one such as results/paper'
   expect_exit 2 pipeline/new_layout.sh
   expect_equal "$(state)" "$(<before)"
   local cell=results/t/real/seed0/piae-dt/10to1
   mkdir $cell/wdcnn
   echo other >$cell/wdcnn/diagnosis.h5
   expect_exit 65 pipeline/new_layout.sh results/t
-  expect_line "$(new_layout results/t)" "^new_layout.sh: $cell/diagnosis.h5: is in $cell/wdcnn, too; remove one of the two$"
+  expect_line "$(new_layout results/t)" "^new_layout.sh: $cell/diagnosis.h5: exists in $cell/wdcnn, too; remove one of the two$"
   expect_equal "$(<$cell/wdcnn/diagnosis.h5)" other
 }
 

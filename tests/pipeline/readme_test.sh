@@ -10,7 +10,7 @@ commands_of() { # page, title of the section
     found { exit }' "$project/$1"
 }
 
-test_the_chain_of_one_stage_by_hand_runs_and_its_files_are_good() {
+test_the_chain_by_hand_of_the_readme_runs() {
   mkdir build
   ln -s "$programs" build/bin
   commands_of README.md 'One stage by hand' >chain
@@ -27,7 +27,7 @@ shown_description() {
 }
 
 # Their only error is that the recordings are missing.
-test_the_shown_descriptions_have_the_keys_that_ingest_knows() {
+test_the_descriptions_of_the_pages_have_known_keys() {
   shown_description 1 >rig.toml
   expect_line "$(<rig.toml)" '^name = "rig"'
   expect_exit 66 "$programs/ingest" --check --description rig.toml --data-dir .

@@ -63,7 +63,7 @@ test_tables_and_figures_are_kept_with_the_reference() {
   expect_exit 0 tiny check
 }
 
-test_one_digit_of_one_seed_is_seen_on_the_same_machine() {
+test_finds_a_changed_digit_on_the_same_machine() {
   made
   tiny reference >/dev/null
   expect_exit 0 tiny check
@@ -73,7 +73,7 @@ test_one_digit_of_one_seed_is_seen_on_the_same_machine() {
   expect_exit 0 tiny check TOLERANCE=spread
 }
 
-test_what_chance_does_not_explain_is_seen_on_any_machine() {
+test_finds_deviations_beyond_chance_on_any_machine() {
   made
   tiny reference >/dev/null
   from_elsewhere
@@ -85,7 +85,7 @@ test_what_chance_does_not_explain_is_seen_on_any_machine() {
   expect_line "$(tiny check 2>&1 || true)" '^compared 20 quantities of tiny: 2 moved, 1 outside'
 }
 
-test_cells_of_one_side_are_named() {
+test_names_cells_of_only_one_side() {
   made
   rm results/tiny/tiny/seed1/smote/10to1/wdcnn/diagnosis.h5
   sed -i '/^piae-dt,,,.*,0,/d' $reference
@@ -100,7 +100,7 @@ test_cells_of_one_side_are_named() {
   tiny check RATIOS="100to1 50to1" SEEDS=1 CLASSIFIERS=wdcnn >messages || fail "$(<messages)"
 }
 
-test_without_a_reference_nothing_passes() {
+test_fails_without_a_reference() {
   made
   rm $reference
   expect_exit 2 tiny check
@@ -111,7 +111,7 @@ test_without_a_reference_nothing_passes() {
   expect_line "$(tiny check 2>&1 || true)" '^not in the reference: none 100to1, seed 1$'
 }
 
-test_a_data_set_that_the_run_lacks_is_a_failure() {
+test_fails_if_the_run_lacks_a_data_set() {
   made
   sed '2,$s/^#\(.*\)/#\1/' $reference >results/reference/random/other.csv
   expect_exit 2 tiny check

@@ -5,28 +5,28 @@ source "${0%/*}/small_grid.sh"
 
 test_unknown_names_are_refused() {
   describe
-  expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; there are: made real"
+  expect_line "$(grid DATASETS=nowhere 2>&1 || true)" "DATASETS: unknown 'nowhere'; choose from: made real"
   expect_line "$(grid RATIOS=3to1 2>&1 || true)" "RATIOS: unknown '3to1'"
   expect_line "$(grid METHODS=none RATIOS=1to1 2>&1 || true)" "no cells"
-  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; there are: none dynamics smote "
-  expect_line "$(grid CLASSIFIERS=svm 2>&1 || true)" "CLASSIFIERS: unknown 'svm'; there are: wdcnn wdcnn-spectrum .* nearest"
-  expect_line "$(grid CLASSIFIERS='nearest nearest' 2>&1 || true)" "CLASSIFIERS: 'nearest nearest' names one twice"
-  expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: whole numbers"
-  expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names one twice"
+  expect_line "$(grid METHODS=magic 2>&1 || true)" "METHODS: unknown 'magic'; choose from: none dynamics smote "
+  expect_line "$(grid CLASSIFIERS=svm 2>&1 || true)" "CLASSIFIERS: unknown 'svm'; choose from: wdcnn wdcnn-spectrum .* nearest"
+  expect_line "$(grid CLASSIFIERS='nearest nearest' 2>&1 || true)" "CLASSIFIERS: 'nearest nearest' names the same item twice; remove one"
+  expect_line "$(grid SEEDS='0 x' 2>&1 || true)" "SEEDS: must be whole numbers"
+  expect_line "$(grid SEEDS='1 1' 2>&1 || true)" "names the same item twice"
   expect_line "$(grid SEEDS= 2>&1 || true)" "SEEDS: is empty"
   expect_line "$(grid RUN=../t 2>&1 || true)" "not a path"
   for sign in ':' '=' '%' ','; do
-    expect_line "$(grid RUN="a${sign}b" 2>&1 || true)" "RUN: holds a $sign, which it must not"
+    expect_line "$(grid RUN="a${sign}b" 2>&1 || true)" "RUN: contains a $sign, which is not allowed"
   done
-  expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names one twice"
-  expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run"
-  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: random or blocked, not 'random blocked'"
+  expect_line "$(grid METHODS='smote smote' 2>&1 || true)" "METHODS: 'smote smote' names the same item twice; remove one"
+  expect_line "$(grid RUN=reference 2>&1 || true)" "RUN: 'reference' cannot be the name of a run; choose another one, such as try"
+  expect_line "$(grid PROTOCOL='random blocked' 2>&1 || true)" "PROTOCOL: must be random or blocked, not 'random blocked'"
   expect_exit 2 grid PROTOCOL=other
   expect_equal "$(ls)" "$(printf '%s\n' Makefile fake jobs pipeline results)"
 }
 
 # Otherwise a stage would run with its program's defaults.
-test_a_table_of_the_protocol_that_nothing_reads_is_refused() {
+test_an_unread_table_of_the_protocol_is_refused() {
   describe
   echo '[diagnoze]' >>pipeline/protocol.toml
   expect_line "$(grid 2>&1 || true)" "^plan: pipeline/protocol.toml, line 18: nothing reads the table \[diagnoze\]"
@@ -49,17 +49,17 @@ test_unknown_variables_are_refused_with_the_right_name() {
 }
 
 # Files needed at the very end of a run must be reported missing before its first step.
-test_published_tables_that_were_removed_are_missed_at_the_start() {
+test_missing_published_tables_are_reported_at_the_start() {
   describe
   rm -r results
   expect_exit 2 grid
-  expect_line "$(grid 2>&1 || true)" 'results/published holds no table: .*git checkout results/published'
+  expect_line "$(grid 2>&1 || true)" 'results/published does not hold a table, .*git checkout results/published'
   expect_equal "$(ran)" ""
   make --silent cells BIN=fake RUN=t DATASETS=real METHODS=none RATIOS=100to1 SEEDS=0 >/dev/null # does not need them
   expect_equal "$(ran)" "2 diagnose, 1 ingest, 1 split"
 }
 
-test_programs_that_are_not_there_are_one_line() {
+test_missing_programs_are_reported_in_one_line() {
   describe
   local goal
   for goal in cells check status data demo; do
@@ -67,25 +67,25 @@ test_programs_that_are_not_there_are_one_line() {
       "*** BIN: there are no programs in '/nowhere'; \`make build\` builds them into build/bin.  Stop."
   done
   rm -r fake
-  expect_line "$(make -n cells 2>&1 || true)" "the programs must be built first: .make build."
+  expect_line "$(make -n cells 2>&1 || true)" "build the programs first: .make build."
   expect_exit 0 make -n cells
 }
 
 # Older programs do not know later changes of the sources and of pipeline/.
-test_a_dry_run_with_programs_of_before_says_that_they_would_be_built() {
+test_a_dry_run_with_old_programs_asks_to_build_them() {
   describe
   mkdir -p build/bin src
   printf '#!/bin/bash\necho "plan: nothing reads the table [train.new]" >&2\nexit 65\n' >build/bin/plan
   chmod +x build/bin/plan
   touch -d '1 hour ago' build/bin/plan
   touch src/new.cpp
-  expect_line "$(make -n cells 2>&1)" "the programs must be built first: .make build."
+  expect_line "$(make -n cells 2>&1)" "build the programs first: .make build."
   touch build/bin/plan
   touch -d '1 hour ago' src/new.cpp src
   expect_line "$(make -n cells 2>&1 || true)" "nothing reads the table .train.new."
 }
 
-test_a_dry_run_and_a_question_write_nothing() {
+test_dry_runs_and_read_only_goals_write_nothing() {
   describe
   grid -n >/dev/null
   grid -n cells results/t/real/records.h5 >/dev/null
@@ -95,7 +95,7 @@ test_a_dry_run_and_a_question_write_nothing() {
 
 test_libtorch_is_on_or_off() {
   describe
-  expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: on or off, not 'no'"
+  expect_line "$(grid LIBTORCH=no 2>&1 || true)" "LIBTORCH: must be on or off, not 'no'"
 }
 
 run_tests "$@"

@@ -5,7 +5,7 @@ source "${0%/*}/support.sh"
 
 shortened() { awk -f pipeline/figures/shorten.awk <<<"$1"; }
 
-test_points_of_a_path_follow_each_other_by_their_distance() {
+test_points_of_a_path_are_relative() {
   expect_equal "$(shortened "  <path stroke='black'  d='M10.00,20.04 L10.56,9.96 L-0.26,9.96
     L-0.26,10.26  '/>")" "  <path stroke='black'  d='M10 20l.6-10-10.9 0 0 .3'/>"
 }
@@ -18,7 +18,7 @@ test_rounding_does_not_add_up() { # 100 steps of 0.04
   expect_equal "$steps" 4
 }
 
-test_a_path_may_go_on_elsewhere_and_be_closed() {
+test_a_path_can_continue_elsewhere_and_be_closed() {
   expect_equal "$(shortened "  <path stroke='black'  d='M1.00,1.00 L2.00,1.00 M5.00,5.00 L6.00,6.50 Z  '/>")" \
     "  <path stroke='black'  d='M1 1l1 0M5 5l1 1.5Z  '/>"
 }
@@ -46,7 +46,7 @@ $(mark 6 4.00,4.00 "$red")
   expect_equal "$(grep -c "marker:url(#$id)" <<<"$svg")" 2
 }
 
-test_empty_groups_are_left_out_and_all_else_stays() {
+test_only_empty_groups_are_left_out() {
   expect_equal "$(shortened '<g fill="none" color="black">
 </g>
 <g fill="none" color="red">

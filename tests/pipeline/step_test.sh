@@ -20,7 +20,7 @@ test_says_in_one_line_what_was_done() {
 }
 
 # Standard error reaches the log another way and may come last.
-test_its_line_is_what_was_done_and_not_a_warning_nor_how_far_it_was() {
+test_its_line_is_the_result_not_a_warning_or_progress() {
   own_stage <<<'echo "made 3 windows"; sleep 0.2; echo "own  ####   99 %" >&2; echo "own: one of them is silent" >&2'
   expect_line "$(step 2>/dev/null)" '^real/seed0 +own +[0-9]+\.[0-9] s  made 3 windows$'
 }
@@ -52,7 +52,7 @@ test_passes_arguments_and_keeps_a_log() {
   expect_equal "$(step --a 'two words' 2>&1 >/dev/null)" "$(printf '%-32s warned' real/seed0)"
   expect_equal "$(grep -v '^step:' results/t/real/seed0/own.log | sort)" \
     "$(printf '%s\n' '<--a>' '<two words>' 'fake/own --a two words' warned | sort)"
-  expect_line "$(sed -n 2p results/t/real/seed0/own.log)" '^step: begun at [0-9]+\.[0-9]{6}$'
+  expect_line "$(sed -n 2p results/t/real/seed0/own.log)" '^step: started at [0-9]+\.[0-9]{6}$'
   expect_line "$(tail -n 1 results/t/real/seed0/own.log)" '^step: exit 0 after [0-9]+\.[0-9] s$'
 }
 
@@ -70,7 +70,7 @@ test_two_makes_do_not_run_one_step_at_once() {
   wait_for started
   step >/dev/null 2>messages &
   until grep -qs waits messages; do sleep 0.05; done
-  expect_line "$(<messages)" '^real/seed0 +own +waits: another make is at this step$'
+  expect_line "$(<messages)" '^real/seed0 +own +waits: another make runs this step$'
   touch go-on
   expect_exit 0 wait %1
   expect_exit 0 wait %2
@@ -85,7 +85,7 @@ again() { # its log
 }
 
 # Another make has finished the step since it was planned, or its inputs are unchanged: plan reports this.
-test_a_step_that_is_not_due_any_more_is_left_alone() {
+test_a_step_that_is_no_longer_due_does_not_run() {
   describe
   local log which=(RUN=t DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS=0)
   make --silent all BIN=fake "${which[@]}" >/dev/null
@@ -93,9 +93,9 @@ test_a_step_that_is_not_due_any_more_is_left_alone() {
   export "${which[@]}" GOALS=all
   for log in ingest seed0/split seed0/smote/10to1/wdcnn/features tabulate; do
     export STEP_LOG=${log##*/}
-    expect_line "$(ASKED_AT=1 again "real/$log")" " is as it was$"
-    expect_line "$(ONLY_IF_DUE=yes ASKED_AT=9999999999 again "real/$log")" " is as it was$"
-    expect_line "$(SUBMIT=env ONLY_IF_DUE=yes again "real/$log")" " is as it was$"
+    expect_line "$(ASKED_AT=1 again "real/$log")" " is unchanged$"
+    expect_line "$(ONLY_IF_DUE=yes ASKED_AT=9999999999 again "real/$log")" " is unchanged$"
+    expect_line "$(SUBMIT=env ONLY_IF_DUE=yes again "real/$log")" " is unchanged$"
   done
   unset STEP_LOG
   expect_equal "$(ran_with_features)" ""
@@ -114,15 +114,15 @@ test_a_step_that_is_not_due_any_more_is_left_alone() {
 }
 
 # srun returns 0 when its node is lost.
-test_a_step_that_has_not_made_its_files_anew_has_failed() {
+test_a_step_that_did_not_remake_its_files_failed() {
   local made=results/t/real/seed0
   own_stage <<<'exit 0'
   mkdir -p $made
   echo old >$made/E.h5
   expect_exit 1 step --output $made/E.h5
   expect_line "$(step --output $made/E.h5 2>&1 || true)" \
-    '^real/seed0 +own +failed with exit code 1 .*has not made results/t/real/seed0/E.h5; was its node lost'
-  expect_line "$(<$made/own.log)" '^own: the stage ended as if all were well, but has not made .*E.h5'
+    '^real/seed0 +own +failed with exit code 1 .*did not make results/t/real/seed0/E.h5; was its node lost'
+  expect_line "$(<$made/own.log)" '^own: the stage exited with 0, but did not make .*E.h5'
   expect_line "$(tail -n 1 $made/own.log)" '^step: exit 1 after'
   own_stage <<<'echo old >new; mv new results/t/real/seed0/E.h5'
   expect_exit 0 step --output $made/E.h5
@@ -135,7 +135,7 @@ test_a_step_that_has_not_made_its_files_anew_has_failed() {
 }
 
 # Unchanged numbers of figures are not rewritten: such a step does not remake any file.
-test_a_step_elsewhere_that_names_no_files_has_said_what_it_used() {
+test_a_submitted_step_without_named_files_reports_its_usage() {
   own_stage <<<'exit 0'
   expect_exit 0 step
   SUBMIT="env" expect_exit 1 step
@@ -143,7 +143,7 @@ test_a_step_elsewhere_that_names_no_files_has_said_what_it_used() {
   SUBMIT="env" expect_exit 0 step
 }
 
-test_says_that_memory_may_have_been_short() {
+test_reports_a_possible_lack_of_memory() {
   # shellcheck disable=SC2016
   own_stage <<<'kill -KILL $$'
   expect_line "$(step 2>&1 || true)" \
@@ -158,7 +158,7 @@ test_missing_program_fails() {
   expect_exit 127 step
 }
 
-test_names_a_folder_that_cannot_be_made() {
+test_names_a_folder_that_cannot_be_created() {
   own_stage <<<'true'
   mkdir -p results/t && echo x >results/t/real
   expect_line "$(step 2>&1 || true)" 'cannot write results/t/real/seed0/own.log'
@@ -172,7 +172,7 @@ test_submit_goes_before_the_stage() {
 }
 
 # A login shell's variables would change the bytes of outputs.
-test_stages_get_one_thread_whatever_the_login_shell_says() {
+test_stages_get_one_thread_in_any_login_shell() {
   # shellcheck disable=SC2016
   own_stage <<<'echo "threads $OMP_NUM_THREADS $OPENBLAS_NUM_THREADS ${OMP_SCHEDULE-unset} ${GLIBC_TUNABLES//[^=]/}"'
   expect_line "$(step)" 'threads 1 1 unset ===$'
@@ -184,7 +184,7 @@ test_stages_get_one_thread_whatever_the_login_shell_says() {
 }
 
 # (The scheduler decides which devices a job may use.)
-test_stages_do_not_see_what_the_login_shell_says_to_libtorch() {
+test_stages_do_not_inherit_settings_of_libtorch() {
   # shellcheck disable=SC2016
   own_stage <<<'env | grep -cE "^(ATEN|DNNL|ONEDNN|TORCH|CUBLAS|NVIDIA_TF32)" || echo "devices $CUDA_VISIBLE_DEVICES"'
   expect_line "$(ATEN_CPU_CAPABILITY=default DNNL_MAX_CPU_ISA=SSE41 ONEDNN_MAX_CPU_ISA=SSE41 TORCH_NUM_THREADS=3 \
@@ -200,7 +200,7 @@ for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 STAGE
 }
 
-test_a_signal_reaches_the_stage_which_is_waited_for() {
+test_passes_a_signal_on_and_waits_for_the_stage() {
   checkpointing_stage
   local signal code
   for signal in TERM INT HUP; do
@@ -214,7 +214,7 @@ test_a_signal_reaches_the_stage_which_is_waited_for() {
     code=0
     wait $! || code=$?
     expect_equal "$signal $code $(<checkpoint)" "$signal 75 saved"
-    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
+    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command continues'
   done
 }
 
@@ -301,7 +301,7 @@ for _ in {1..600}; do sleep 0.05; done # 30 s, where nobody ends it
 STAGE
 }
 
-test_a_stage_is_waited_for_when_its_launcher_gives_up() {
+test_waits_for_a_stage_whose_launcher_gave_up() {
   saves_slowly
   local code
   for code in 0 1 137; do
@@ -309,12 +309,12 @@ test_a_stage_is_waited_for_when_its_launcher_gives_up() {
     launcher_that_gives_up $code
     stop_step_of_launcher 75
     expect_equal "$(<results/t/real/seed0/model.h5.checkpoint)" saved
-    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command goes on'
+    expect_line "$(<messages)" 'interrupted after a checkpoint; the same command continues'
   done
 }
 
 # Slurm signals all processes of a job at once, including those that step.sh has just started.
-test_a_stage_is_waited_for_when_all_processes_are_signalled() {
+test_waits_for_a_stage_if_all_processes_are_signalled() {
   saves_slowly
   mkdir path
   # shellcheck disable=SC2016
@@ -328,7 +328,7 @@ test_a_stage_is_waited_for_when_all_processes_are_signalled() {
 }
 
 # An earlier checkpoint is not evidence for this life.
-test_a_stage_that_is_killed_before_its_checkpoint_has_not_been_interrupted() {
+test_a_stage_killed_before_its_checkpoint_failed() {
   mkdir -p results/t/real/seed0
   echo old >results/t/real/seed0/model.h5.checkpoint
   # shellcheck disable=SC2016
@@ -352,7 +352,7 @@ test_a_step_in_a_queue_is_stopped_at_once() {
   expect_line "$(<results/t/real/seed0/own.log)" '^step: exit 143 after'
 }
 
-test_what_it_waits_in_a_queue_is_no_time_of_a_step() {
+test_time_in_a_queue_does_not_count() {
   queue
   own_stage <<<'echo "step: started" >&2; sleep 0.3; echo made >results/t/real/seed0/E.h5'
   touch busy
@@ -387,7 +387,7 @@ test_a_log_is_not_written_through_a_planted_link() {
   expect_equal "$(<victim)" precious
 }
 
-test_a_log_that_is_a_pipe_is_not_waited_for() {
+test_a_log_that_is_a_pipe_does_not_block() {
   own_stage <<<'echo done'
   mkdir -p results/t/real/seed0
   mkfifo results/t/real/seed0/own.log

@@ -25,7 +25,7 @@ TEST(ChangedDescription, NamesTheKeyAndBothValues) {
             "record 2: file is [ 'b.csv' ], was [ 'b.csv', 'c.csv' ]");
 }
 
-TEST(ChangedDescription, NamesWhatIsNewAndWhatIsGone) {
+TEST(ChangedDescription, NamesAddedAndRemovedKeys) {
   EXPECT_EQ(changed_key(rig, with("balls = 9", "balls = 9\nplay = 0.1")),
             "bearing.play is 0.1, was not set");
   EXPECT_EQ(changed_key(rig, with("rate = 12000\n", "")), "rate is not set, was 12000");
@@ -34,7 +34,7 @@ TEST(ChangedDescription, NamesWhatIsNewAndWhatIsGone) {
   EXPECT_EQ(changed_key(rig, rig + "[[record]]\nfile = 'e'\n"), "record has 3 entries, had 2");
 }
 
-TEST(ChangedDescription, NamesNothingWhereNoKeyDiffers) {
+TEST(ChangedDescription, IsEmptyIfNoKeyDiffers) {
   EXPECT_EQ(changed_key(rig, rig), "");
   EXPECT_EQ(changed_key(rig, "# a comment\n" + rig), "");
   EXPECT_EQ(changed_key("not TOML", rig), "");

@@ -29,7 +29,7 @@ Costs costs() {
   return costs;
 }
 
-TEST(JobsOfACluster, AreOfMethodsAndSeedsThatTakeAboutTheSameTime) {
+TEST(JobsOfACluster, TakeAboutTheSameTimeEach) {
   SmallRun run;
   run.request.datasets = "real";
   const auto kinds = divide(run.plan("tables"), costs(), 1, 10);
@@ -61,7 +61,7 @@ TEST(JobsOfACluster, MakeEachFileOnce) {
   EXPECT_THAT(files, SizeIs(run.plan("cells").to_run().size()));
 }
 
-TEST(JobsOfACluster, AreAtMostFiveHundred) {
+TEST(JobsOfACluster, NumberAtMostFiveHundred) {
   SmallRun run;
   run.request.datasets = "real";
   run.request.methods = "piae-dt";
@@ -73,7 +73,7 @@ TEST(JobsOfACluster, AreAtMostFiveHundred) {
   EXPECT_EQ(kinds[1].minutes, 45);  // two seeds, 1200 s
 }
 
-TEST(JobsOfACluster, BeginWithTheLongest) {
+TEST(JobsOfACluster, StartWithTheLongest) {
   SmallRun run;
   run.request.datasets = "real";
   const auto kinds = divide(run.plan("cells"), costs(), 1, 10);
@@ -83,7 +83,7 @@ TEST(JobsOfACluster, BeginWithTheLongest) {
   EXPECT_THAT(kinds[1].files[2], Each(Not(HasSubstr("/piae-dt/"))));
 }
 
-TEST(JobsOfACluster, MakeAllOfAMethodInTheOrderInWhichItIsNeeded) {
+TEST(JobsOfACluster, ListTheFilesOfAMethodInOrder) {
   SmallRun run;
   run.narrow_to("smote", "1to1");
   run.request.classifiers = "nearest wdcnn-spectra";
@@ -103,7 +103,7 @@ TEST(JobsOfACluster, MakeAllOfAMethodInTheOrderInWhichItIsNeeded) {
   }
 }
 
-TEST(JobsOfACluster, TakeAsMuchMemoryAsTheLargestOfTheirSteps) {
+TEST(JobsOfACluster, RequestTheMemoryOfTheirLargestSteps) {
   SmallRun run;
   Costs with_large_records = costs();
   with_large_records.learn("ingest", {.dataset = "real"}, {.seconds = 0, .megabytes = 900});
@@ -112,7 +112,7 @@ TEST(JobsOfACluster, TakeAsMuchMemoryAsTheLargestOfTheirSteps) {
   EXPECT_EQ(kinds[1].megabytes, 700);
 }
 
-TEST(JobsOfACluster, OfAMovedSettingTakeWhatItsMethodTakes) {
+TEST(JobsOfACluster, EstimateAMovedSettingByItsMethod) {
   SmallRun run;
   run.narrow_to("piae-dt", "1to1");
   run.set("epochs = 200", "epochs = 200\n[sweep]\npoints = [\"batch=1\"]");
@@ -122,7 +122,7 @@ TEST(JobsOfACluster, OfAMovedSettingTakeWhatItsMethodTakes) {
   EXPECT_THAT(kinds[1].files[1], Each(HasSubstr("/seed0/sweep/batch-1/")));
 }
 
-TEST(JobsOfACluster, OfAMethodThatAsksForAGpuAreOfTheirOwnKind) {
+TEST(JobsOfACluster, SeparateMethodsThatNeedAGpu) {
   SmallRun run;
   run.set("epochs = 200", "epochs = 200\ndevice = \"cuda\"");
   const auto kinds = divide(run.plan("cells"), costs(), 4, 15);
@@ -146,7 +146,7 @@ TEST(JobsOfACluster, AreWrittenAsLists) {
   EXPECT_THAT(table_of(kinds), HasSubstr("cells           2      2     0:10 h     0.3 GB"));
 }
 
-TEST(CostsOfSteps, AreThoseOfWhatIsMostLikeThem) {
+TEST(CostsOfSteps, AreTakenFromTheMostSimilarSteps) {
   const Folder folder;
   const auto file = folder.write(
       "costs.csv",
@@ -164,7 +164,7 @@ TEST(CostsOfSteps, AreThoseOfWhatIsMostLikeThem) {
       3);
 }
 
-TEST(CostsOfSteps, AreTheMeanSecondsAndTheMostMemoryOfTheirLogs) {
+TEST(CostsOfSteps, AreMeanSecondsAndMaximumMemoryOfTheLogs) {
   SmallRun run;
   run.request.datasets = "real";
   run.request.methods = "none smote";
@@ -185,7 +185,7 @@ TEST(CostsOfSteps, AreTheMeanSecondsAndTheMostMemoryOfTheirLogs) {
             "diagnose,real,none,wdcnn,100to1,7.00,20\ntrain,real,smote,,,3.50,150\n");
 }
 
-TEST(CostsOfSteps, AreRefusedWhereALineIsNone) {
+TEST(CostsOfSteps, RefuseAMalformedLine) {
   const Folder folder;
   const auto file = folder.write("costs.csv", "train,cwru,vae,,,much,100\n");
   EXPECT_ERROR(Costs::read(file), Exit::bad_input, "costs.csv, line 1: must be ");

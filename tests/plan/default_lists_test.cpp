@@ -21,7 +21,7 @@ class ListsThatNobodyGives : public testing::Test {
   SmallRun run_;
 };
 
-TEST_F(ListsThatNobodyGives, AreThePapersGridWithWhatWeRecommend) {
+TEST_F(ListsThatNobodyGives, AreThePapersGridAndOurRecommendations) {
   const Lists lists = of({"all"});
   EXPECT_THAT(lists.datasets, ElementsAre("cwru"));
   EXPECT_THAT(lists.methods, SizeIs(12));
@@ -33,21 +33,21 @@ TEST_F(ListsThatNobodyGives, AreThePapersGridWithWhatWeRecommend) {
   EXPECT_THAT(lists.seeds, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
 }
 
-TEST_F(ListsThatNobodyGives, OfReadingsHaveTheSeedsOfChoices) {
+TEST_F(ListsThatNobodyGives, UseTheSeedsOfChoicesForReadings) {
   const Lists lists = of({"readings"});
   EXPECT_THAT(lists.datasets, ElementsAre("cwru", "hit-sm", "simulated"));
   EXPECT_THAT(lists.methods, ElementsAre("piae-dt"));
   EXPECT_THAT(lists.seeds, ElementsAre(100, 101, 102, 103, 104));
 }
 
-TEST_F(ListsThatNobodyGives, OfAnIdentificationAreSimulated) {
+TEST_F(ListsThatNobodyGives, AreSimulatedForAnIdentification) {
   EXPECT_THAT(of({"identify"}).datasets, ElementsAre("simulated"));
   EXPECT_THAT(of({"identify"}).methods, ElementsAre("piae-dt", "piae-dt-phase"));
   EXPECT_THAT(of({"identify", "all"}).datasets, ElementsAre("cwru"));
 }
 
-TEST_F(ListsThatNobodyGives, OfATransferAreThoseOfItsGroups) {
-  EXPECT_ERROR((void)of({"transfer"}), Exit::usage, "names no group of data sets");
+TEST_F(ListsThatNobodyGives, CoverTheGroupsForATransfer) {
+  EXPECT_ERROR((void)of({"transfer"}), Exit::usage, "does not name a group of data sets");
   run_.set("[diagnose]",
            "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
            "inputs = [\"smote=wdcnn-spectra\", \"none=wdcnn\"]\n[diagnose]");

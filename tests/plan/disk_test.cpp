@@ -42,7 +42,7 @@ class FilesOfARun : public testing::Test {
   std::string file_ = (folder_ / "score.h5").string();
 };
 
-TEST_F(FilesOfARun, SayHowTheyWereMade) {
+TEST_F(FilesOfARun, RecordHowTheyWereMade) {
   const auto file = seen();
   ASSERT_TRUE(file && file->made);
   EXPECT_EQ(*file->made->options, "a = \"1\"\n");
@@ -53,7 +53,7 @@ TEST_F(FilesOfARun, SayHowTheyWereMade) {
   EXPECT_FALSE(seen());
 }
 
-TEST_F(FilesOfARun, SayInWhichFileTheyBelong) {
+TEST_F(FilesOfARun, RecordTheFileTheyBelongIn) {
   const auto expect = [&](const std::string& name, artefact::Writer& writer) {
     writer.save(file_, {});
     EXPECT_EQ(seen()->belongs_in, name);  // read from the file
@@ -67,7 +67,7 @@ TEST_F(FilesOfARun, SayInWhichFileTheyBelong) {
   expect("features.h5", features);
 }
 
-TEST_F(FilesOfARun, AreNotReadAgainWhereNothingHasTouchedThem) {
+TEST_F(FilesOfARun, AreNotReadAgainIfUntouched) {
   const auto before = seen();
   // A digest that the file does not have shows that the journal was used.
   std::string text = bytes_of(journal());
@@ -78,7 +78,7 @@ TEST_F(FilesOfARun, AreNotReadAgainWhereNothingHasTouchedThem) {
   EXPECT_EQ(seen()->digest, before->digest);
 }
 
-TEST_F(FilesOfARun, AreReadWhereAnotherTookTheirPlaceAtTheSameTime) {
+TEST_F(FilesOfARun, AreReadAgainIfReplacedWithTheSameTime) {
   const auto before = seen();
   const auto time = std::filesystem::last_write_time(file_);
   write(2);
@@ -86,7 +86,7 @@ TEST_F(FilesOfARun, AreReadWhereAnotherTookTheirPlaceAtTheSameTime) {
   EXPECT_NE(seen()->digest, before->digest);
 }
 
-TEST_F(FilesOfARun, SayWhatIsWrongWithThem) {
+TEST_F(FilesOfARun, ReportWhatIsWrongWithThem) {
   std::string bytes = bytes_of(file_);
   bytes[bytes.size() / 2] ^= 1;
   std::ofstream(file_, std::ios::binary) << bytes;
@@ -98,7 +98,7 @@ TEST_F(FilesOfARun, SayWhatIsWrongWithThem) {
   EXPECT_THAT(seen()->problem, HasSubstr("not an HDF5 file"));
 }
 
-TEST_F(FilesOfARun, AreTheSameWhereManyAreReadTogether) {
+TEST_F(FilesOfARun, AreTheSameIfManyAreReadTogether) {
   std::vector<std::string> files{file_, (folder_ / "nowhere.h5").string()};
   for (const std::string name : {"a", "b", "c"}) {
     files.push_back((folder_ / (name + ".h5")).string());
@@ -123,7 +123,7 @@ TEST_F(FilesOfARun, AreTheSameWhereManyAreReadTogether) {
   }
 }
 
-TEST_F(FilesOfARun, AreFoundBelowAFolderButForHiddenOnes) {
+TEST_F(FilesOfARun, AreFoundBelowAFolderExceptHiddenOnes) {
   folder_.write("a/b/c.csv", "1");
   folder_.write(".jobs/d", "1");
   RealDisk disk({folder_.path().string()}, false);
@@ -131,14 +131,14 @@ TEST_F(FilesOfARun, AreFoundBelowAFolderButForHiddenOnes) {
   EXPECT_THAT(disk.files_below((folder_ / "nowhere").string()), ElementsAre());
 }
 
-TEST_F(FilesOfARun, LeaveNoJournalWhereOneOnlyLooks) {
+TEST_F(FilesOfARun, WriteNoJournalForReadOnlyGoals) {
   RealDisk disk({folder_.path().string()}, false);
   EXPECT_NE(disk.find(file_), nullptr);
   disk.save();
   EXPECT_FALSE(std::filesystem::exists(journal()));
 }
 
-TEST_F(FilesOfARun, OfRecordsNameTheirRecordings) {
+TEST_F(FilesOfARun, NameTheRecordingsOfRecords) {
   artefact::Writer writer("records");
   writer.numbers("/records/one", std::vector<double>{1, 2});
   writer.attribute("/records/one", "source", std::string("1.mat"));

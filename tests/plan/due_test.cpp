@@ -26,7 +26,7 @@ TEST(DueSteps, AreAllInANewRun) {
   EXPECT_THAT(run.run(), IsEmpty());
 }
 
-TEST(DueSteps, OfAMethodWhoseSettingChangedAreItsOwn) {
+TEST(DueSteps, AreTheMethodsOwnAfterAChangedSetting) {
   SmallRun run;
   run.run();
   run.set("neighbours = 4", "neighbours = 3");
@@ -38,14 +38,14 @@ TEST(DueSteps, OfAMethodWhoseSettingChangedAreItsOwn) {
                                    Pair("diagnose", 8), Pair("features", 2), Pair("tabulate", 2)));
 }
 
-TEST(DueSteps, TakeTheSameNumberInOtherWordsForTheSame) {
+TEST(DueSteps, IgnoreHowANumberIsWritten) {
   SmallRun run;
   run.run();
   run.set("epochs = 50", "epochs = 50.0  # as many");
   EXPECT_THAT(run.run(), IsEmpty());
 }
 
-TEST(DueSteps, AreThoseOfASettingThatIsTakenAway) {
+TEST(DueSteps, IncludeThoseOfARemovedSetting) {
   SmallRun run;
   run.set("epochs = 200", "epochs = 123");
   run.run();
@@ -55,7 +55,7 @@ TEST(DueSteps, AreThoseOfASettingThatIsTakenAway) {
   EXPECT_EQ(run.why("real/seed0/none/100to1/wdcnn/diagnose"), "");
 }
 
-TEST(DueSteps, DoNotSpreadBeyondAStepThatGivesTheSame) {
+TEST(DueSteps, StopAtAStepWithUnchangedOutput) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/smote/model.h5");
@@ -65,7 +65,7 @@ TEST(DueSteps, DoNotSpreadBeyondAStepThatGivesTheSame) {
   EXPECT_THAT(run.run(), ElementsAre(Pair("train", 1)));
 }
 
-TEST(DueSteps, SpreadWhereAStepGivesSomethingElse) {
+TEST(DueSteps, SpreadFromAStepWithChangedOutput) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/smote/E.h5");
@@ -75,15 +75,15 @@ TEST(DueSteps, SpreadWhereAStepGivesSomethingElse) {
                                    Pair("features", 1), Pair("tabulate", 1)));
 }
 
-TEST(DueSteps, FollowContentsAndNoTimes) {
+TEST(DueSteps, FollowContentsNotTimes) {
   SmallRun run;
   run.run();
   run.disk.files["results/t/real/seed0/smote/E.h5"].digest = "another";
-  EXPECT_EQ(run.why("real/seed0/smote/score"), "E.h5 has other contents");
+  EXPECT_EQ(run.why("real/seed0/smote/score"), "E.h5 has changed");
   EXPECT_EQ(run.why("real/seed0/smote/generate"), "");
 }
 
-TEST(DueSteps, AreThoseOfALostWindowFileAndAllThatNeedIt) {
+TEST(DueSteps, AreThoseThatNeedALostWindowFile) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/B.h5");
@@ -91,7 +91,7 @@ TEST(DueSteps, AreThoseOfALostWindowFileAndAllThatNeedIt) {
   EXPECT_THAT(run.run(), ElementsAre(Pair("split", 1)));
 }
 
-TEST(DueSteps, AreThoseOfADamagedFile) {
+TEST(DueSteps, RemakeADamagedFile) {
   SmallRun run;
   run.run();
   run.disk.files["results/t/real/seed0/smote/score.h5"] = {
@@ -99,7 +99,7 @@ TEST(DueSteps, AreThoseOfADamagedFile) {
   EXPECT_EQ(run.why("real/seed0/smote/score"), "score.h5: damaged: the digest does not match");
 }
 
-TEST(DueSteps, AreThoseOfAFileThatAnotherTookThePlaceOf) {
+TEST(DueSteps, RemakeAFileThatAnotherReplaced) {
   const std::vector<std::array<std::string, 3>> copies{
       {"real/seed0/D.h5", "real/seed0/C.h5", "real/seed0/split"},
       {"real/seed0/A.h5", "real/seed0/B.h5", "real/seed0/split"},
@@ -113,7 +113,7 @@ TEST(DueSteps, AreThoseOfAFileThatAnotherTookThePlaceOf) {
   }
 }
 
-TEST(DueSteps, SayNumbersAsPeopleWriteThem) {
+TEST(DueSteps, ShowNumbersInShortForm) {
   SmallRun run;
   run.set("epochs = 50\n", "epochs = 50\nlearning-rate = 0.005\n");
   run.run();
@@ -122,15 +122,15 @@ TEST(DueSteps, SayNumbersAsPeopleWriteThem) {
             "setting learning-rate is 0.1, was 0.005");
 }
 
-TEST(DueSteps, OfADescriptionAreThoseOfItsDataSet) {
+TEST(DueSteps, AreThoseOfAChangedDescription) {
   SmallRun run;
   run.run();
   run.write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.2 # louder\n");
-  EXPECT_EQ(run.why("made/simulate"), "made.toml has other contents");
+  EXPECT_EQ(run.why("made/simulate"), "made.toml has changed");
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
-TEST(DueSteps, OfADescriptionNameTheKeyWhereItsFormerTextIsThere) {
+TEST(DueSteps, NameTheChangedKeyOfADescription) {
   SmallRun run;
   run.run();
   const std::string file = "results/t/.settings/datasets/made.toml";
@@ -139,7 +139,7 @@ TEST(DueSteps, OfADescriptionNameTheKeyWhereItsFormerTextIsThere) {
   run.write("datasets/made.toml", "name = \"made\"\n[simulation]\nnoise = 0.2 # louder\n");
   EXPECT_EQ(run.why("made/simulate"), "made.toml: simulation.noise is 0.2, was 0.1");
   run.disk.texts[file] += "another = 1\n";  // not the text that made it
-  EXPECT_EQ(run.why("made/simulate"), "made.toml has other contents");
+  EXPECT_EQ(run.why("made/simulate"), "made.toml has changed");
 }
 
 TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
@@ -156,7 +156,7 @@ TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
   run.run();
   EXPECT_EQ(run.why("real/ingest"), "");
   record("run/2.csv", "another");
-  EXPECT_EQ(run.why("real/ingest"), "recording run/2.csv has other contents");
+  EXPECT_EQ(run.why("real/ingest"), "recording run/2.csv has changed");
   record("run/2.csv", "second");
   record("run/10.csv", "third");
   EXPECT_EQ(run.why("real/ingest"), "it was made without recording run/10.csv");
@@ -167,16 +167,16 @@ TEST(DueSteps, CompareAllRecordingsThatAPatternMatches) {
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
-TEST(DueSteps, CompareRecordingsThatAreThere) {
+TEST(DueSteps, CompareOnlyExistingRecordings) {
   SmallRun run;
   run.run();
   run.disk.files["data/1.mat"].digest = "another";
-  EXPECT_EQ(run.why("real/ingest"), "recording 1.mat has other contents");
+  EXPECT_EQ(run.why("real/ingest"), "recording 1.mat has changed");
   run.disk.files.erase("data/1.mat");
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
-TEST(DueSteps, OfARunWhoseRecordingsWereNotRecordedAreNone) {
+TEST(DueSteps, IgnoreRecordingsWithoutStoredDigests) {
   SmallRun run;
   run.run();
   artefact::Made& made = *run.disk.files["results/t/real/records.h5"].made;
@@ -184,30 +184,30 @@ TEST(DueSteps, OfARunWhoseRecordingsWereNotRecordedAreNone) {
   EXPECT_EQ(run.why("real/ingest"), "");
 }
 
-TEST(DueTables, AreOfTheCellsThatTheyWereMadeOf) {
+TEST(DueTables, CompareTheCellsThatTheyWereMadeOf) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/accuracy.csv");
   EXPECT_EQ(run.why("real/tabulate"), "accuracy.csv is missing");
   EXPECT_THAT(run.run(), ElementsAre(Pair("tabulate", 1)));
   run.disk.files["results/t/real/tables.md"].digest = "edited by hand";
-  EXPECT_EQ(run.why("real/tabulate"), "tables.md was changed by somebody else");
+  EXPECT_EQ(run.why("real/tabulate"), "tables.md was changed after it was made");
   run.run();
   run.disk.files["results/t/real/seed1/none/100to1/wdcnn/diagnosis.h5"].digest = "another";
-  EXPECT_EQ(run.why("real/tabulate"), "cells have other contents");
+  EXPECT_EQ(run.why("real/tabulate"), "cells have changed");
   run.disk.steps.erase("results/t/real/tabulate");
-  EXPECT_EQ(run.why("real/tabulate"), "nothing says how it was made");
+  EXPECT_EQ(run.why("real/tabulate"), "the journal does not record how it was made");
 }
 
-TEST(DueTables, CountTheirCells) {
+TEST(DueTables, ReportANewNumberOfCells) {
   SmallRun run;
   run.run();
   run.request.seeds = "0";
   run.disk.files.erase("results/t/real/seed1/none/100to1/wdcnn/diagnosis.h5");
-  EXPECT_THAT(run.why("real/tabulate"), HasSubstr("cells are "));
+  EXPECT_THAT(run.why("real/tabulate"), HasSubstr("number of cells is "));
 }
 
-TEST(DueTables, StayThoseOfTheWholeWhenAPartIsAsked) {
+TEST(DueTables, CoverTheWholeRunIfAPartIsRequested) {
   SmallRun run;
   run.run();
   run.request.seeds = "0";
@@ -215,7 +215,7 @@ TEST(DueTables, StayThoseOfTheWholeWhenAPartIsAsked) {
   EXPECT_THAT(run.run(), IsEmpty());
 }
 
-TEST(DueTables, LeaveOutWhatIsOutOfDateAndNotAsked) {
+TEST(DueTables, LeaveOutStaleCellsThatAreNotRequested) {
   SmallRun run;
   run.run();
   run.set("neighbours = 4", "neighbours = 3");
@@ -231,7 +231,7 @@ TEST(DueTables, LeaveOutWhatIsOutOfDateAndNotAsked) {
               ElementsAre("seed0/smote", "seed1/smote"));
 }
 
-TEST(DueTables, TakeWhatWasMadeOfFilesThatAreNoLongerThere) {
+TEST(DueTables, UseCellsWhoseInputsWereDeleted) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/smote/E.h5");
@@ -260,7 +260,7 @@ TEST(ArtefactsOfAPlan, AreReadTogether) {
   }
 }
 
-TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
+TEST(DueNumbersOfFigures, AreThoseWithALostTable) {
   SmallRun run;
   run.run();
   const auto figures_step = [&](const Plan& plan) {
@@ -270,7 +270,7 @@ TEST(DueNumbersOfFigures, AreThoseOfWhichATableIsLost) {
   };
   Plan& first = run.plan("all", Stretch::numbers);
   const StepId id = figures_step(first);
-  EXPECT_EQ(first.judge().of(id).why, "nothing says how it was made");
+  EXPECT_EQ(first.judge().of(id).why, "the journal does not record how it was made");
   const std::string table = "results/t/real/figures/gains.csv";
   run.disk.files[table] = {.digest = "1"};
   run.disk.steps["results/t/real/figures"] = first.judge().made_now(id);
@@ -305,10 +305,10 @@ TEST(DueNumbersOfFigures, DoNotWaitForCellsThatAreLeftOut) {
   windows = before;
   Plan& third = run.plan("all", Stretch::numbers);
   EXPECT_EQ(third.judge().of(third.requested().front()).why,
-            "other cells are left out, since they are out of date");
+            "other cells are left out, because they are stale");
 }
 
-TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {
+TEST(DueNumbersOfFigures, ShowAllCellsIfAllIsRequested) {
   SmallRun run;
   run.run();
   Plan& all = run.plan("all", Stretch::numbers);
@@ -319,7 +319,7 @@ TEST(DueNumbersOfFigures, AreThoseOfAllWhereAllIsAskedForWithThem) {
   EXPECT_EQ(both.judge().of(both.requested().front()).why, "");
 }
 
-TEST(Pages, ThatAreThereAreNothingThatARunLacks) {
+TEST(Pages, AreNotDueIfTheyExist) {
   SmallRun run;
   run.run();
   for (const char* page : {"report.html", "report.md", "run.html"}) {

@@ -36,7 +36,7 @@ TEST(TheExperiment, IsThatOfPipeline) {
   EXPECT_EQ(own.find("nowhere"), nullptr);
 }
 
-TEST(TheExperiment, HasBrokenDescriptionsUntilTheyAreAskedFor) {
+TEST(TheExperiment, AcceptsBrokenDescriptionsUntilTheyAreRequested) {
   const Folder pipeline;
   pipeline.write("protocol.toml", "");
   pipeline.write("datasets/broken.toml", "name = \n");
@@ -53,7 +53,7 @@ TEST(TheExperiment, HasBrokenDescriptionsUntilTheyAreAskedFor) {
                "broken.toml, line 1: not valid TOML");
 }
 
-TEST(TheExperiment, KnowsOfWhichDataSetsNoFaultWindowIsKnown) {
+TEST(TheExperiment, KnowsDataSetsWithoutKnownFaultWindows) {
   const Folder pipeline;
   pipeline.write("protocol.toml", "");
   pipeline.write("datasets/five.toml", "name = \"five\"\n[split]\nknown-per-class = 5\n");

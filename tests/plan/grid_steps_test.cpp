@@ -89,25 +89,25 @@ TEST_F(StepsOfARun, GiveEachStageItsFiles) {
   EXPECT_THAT(logs("tables"), Not(Contains(HasSubstr("made"))));
 }
 
-TEST_F(StepsOfARun, OfASimulatedDataSetReadNoRecordings) {
+TEST_F(StepsOfARun, DoNotReadRecordingsOfASimulatedDataSet) {
   run_.request.datasets = "made";
   EXPECT_THAT(logs("records"), ElementsAre("t/made/simulate"));
 }
 
-TEST_F(StepsOfARun, ShowRealWindowsToTheOracleAlone) {
+TEST_F(StepsOfARun, GiveRealWindowsToTheOracleOnly) {
   run_.request.methods = "smote oracle";
   EXPECT_THAT(command("seed0/oracle/model.h5"), HasSubstr(" --real results/t/real/seed0/D.h5 "));
   EXPECT_THAT(command("seed0/smote/model.h5"), Not(HasSubstr("D.h5")));
   EXPECT_EQ(command("seed0/oracle/score.h5"), "nothing makes it");
 }
 
-TEST_F(StepsOfARun, ShowHealthyWindowsToWhatHearsThem) {
+TEST_F(StepsOfARun, GiveHealthyWindowsToMethodsThatUseThem) {
   run_.request.methods = "strike-twin";
   EXPECT_THAT(command("seed0/strike-twin/model.h5"),
               HasSubstr(" --healthy results/t/real/seed0/B.h5 "));
 }
 
-TEST_F(StepsOfARun, HaveFoldersOfTheirOwnForClassifiers) {
+TEST_F(StepsOfARun, HaveAFolderForEachClassifier) {
   run_.request.methods = "smote";
   run_.request.ratios = "10to1";
   run_.request.classifiers = "wdcnn wdcnn-spectrum";
@@ -128,7 +128,7 @@ TEST_F(StepsOfARun, KeepFeaturesOnceForEachMethodAtTheLowestSeed) {
   EXPECT_THAT(logs("all"), Contains("t/real/seed2/none/100to1/wdcnn/features"));
 }
 
-TEST_F(StepsOfARun, KeepNoFeaturesOfOtherClassifiers) {
+TEST_F(StepsOfARun, DoNotKeepFeaturesOfOtherClassifiers) {
   run_.request.methods = "none smote";
   run_.request.classifiers = "wdcnn-envelope";
   EXPECT_THAT(counts("all"), Not(Contains(testing::Key("features"))));
@@ -136,7 +136,7 @@ TEST_F(StepsOfARun, KeepNoFeaturesOfOtherClassifiers) {
   EXPECT_THAT(command("seed0/none/100to1/nearest/diagnosis.h5"), HasSubstr("--classifier nearest"));
 }
 
-TEST_F(StepsOfARun, OfABlockedSplitHaveARunOfTheirOwn) {
+TEST_F(StepsOfARun, UseAnotherRunForABlockedSplit) {
   run_.request.protocol = signal::Protocol::blocked;
   EXPECT_THAT(logs("records"), ElementsAre("t-blocked/real/ingest"));
   Plan& plan = run_.plan("cells");
@@ -145,14 +145,15 @@ TEST_F(StepsOfARun, OfABlockedSplitHaveARunOfTheirOwn) {
   EXPECT_THAT(spaced(command_of(plan.graph().at(*split))), HasSubstr(" --protocol blocked "));
 }
 
-TEST_F(StepsOfARun, MayBeThoseOfOneFile) {
+TEST_F(StepsOfARun, CanBeThoseOfOneFile) {
   EXPECT_THAT(logs("results/t/real/seed0/piae-dt/model.h5"),
               ElementsAre("t/real/ingest", "t/real/seed0/split", "t/real/seed0/piae-dt/train"));
   EXPECT_EQ(refusal("results/t/real/seed0/magic/model.h5"),
-            "results/t/real/seed0/magic/model.h5: no step makes it, with these variables");
+            "results/t/real/seed0/magic/model.h5: no step makes this file with the given DATASETS, "
+            "METHODS, RATIOS, CLASSIFIERS and SEEDS; change these");
 }
 
-TEST_F(StepsOfARun, OfAFileDoNotDependOnWhatTheRunIsCalled) {
+TEST_F(StepsOfARun, OfAFileDoNotDependOnTheNameOfTheRun) {
   for (const char* name : {"sweep", "mysweep", "readings"}) {
     run_.request.run = name;
     const std::string file =
@@ -161,7 +162,7 @@ TEST_F(StepsOfARun, OfAFileDoNotDependOnWhatTheRunIsCalled) {
   }
 }
 
-TEST_F(StepsOfARun, OfASweepMoveOneSettingEach) {
+TEST_F(StepsOfARun, MoveOneSettingEachInASweep) {
   run_.request.ratios = std::nullopt;
   run_.set("[diagnose]", "[sweep]\npoints = [\"batch=1\", \"epochs=200\"]\n[diagnose]");
   EXPECT_THAT(command("seed0/sweep/batch-1/model.h5", "sweep"),
@@ -172,14 +173,15 @@ TEST_F(StepsOfARun, OfASweepMoveOneSettingEach) {
       HasSubstr(" --centre epochs=200 --run results/t --dataset real --ratios 1to1 --seeds 0"));
   EXPECT_THAT(counts("sweep"), Contains(testing::Pair("train", 2)));
   run_.request.methods = "smote";
-  EXPECT_EQ(refusal("sweep"),
-            "make sweep moves the settings of piae-dt: METHODS must have one of them");
+  EXPECT_EQ(
+      refusal("sweep"),
+      "make sweep: METHODS must include one of piae-dt, because only their settings are moved");
   run_.request.methods = "piae-dt none";
   run_.request.ratios = "100to1";
-  EXPECT_THAT(refusal("sweep"), HasSubstr("make sweep: RATIOS must have others than 100to1"));
+  EXPECT_THAT(refusal("sweep"), HasSubstr("make sweep: RATIOS must include one other than 100to1"));
 }
 
-TEST_F(StepsOfARun, OfTheSweepOfAnotherMethodAreNamedByIt) {
+TEST_F(StepsOfARun, NameTheSweepOfAnotherMethodAfterIt) {
   run_.set(
       "[diagnose]",
       "[sweep.smote]\nclassifier = \"wdcnn-spectra\"\npoints = [\"neighbours=1\"]\n[diagnose]");
@@ -189,7 +191,7 @@ TEST_F(StepsOfARun, OfTheSweepOfAnotherMethodAreNamedByIt) {
   EXPECT_THAT(command("sweep@smote.csv", "sweep"), HasSubstr(" --method smote "));
 }
 
-TEST_F(StepsOfARun, OfReadingsHaveTheSettingsOfTheBaseButTheirOwn) {
+TEST_F(StepsOfARun, CombineTheBaseWithTheSettingsOfAReading) {
   run_.set("[diagnose]",
            "[readings]\nbase = [\"depth=3\", \"batch=5\"]\nreadings = [\"depth=4\"]\n[diagnose]");
   EXPECT_THAT(command("seed0/readings/depth-4/model.h5", "readings"),
@@ -199,21 +201,22 @@ TEST_F(StepsOfARun, OfReadingsHaveTheSettingsOfTheBaseButTheirOwn) {
   EXPECT_THAT(logs("readings"), Contains("t/real/readings"));
 }
 
-TEST_F(StepsOfARun, OfAnIdentificationAreOfSimulatedDataSets) {
+TEST_F(StepsOfARun, IdentifyOnlyOnSimulatedDataSets) {
   run_.request.datasets = "real made";
   EXPECT_THAT(command("../made/identifiability.md", "identify"), "nothing makes it");
   EXPECT_THAT(logs("identify"), ElementsAre("t/made/simulate", "t/made/seed0/split",
                                             "t/made/seed0/piae-dt/train", "t/made/identify"));
   run_.request.methods = "smote";
-  EXPECT_THAT(refusal("identify"), StartsWith("make identify: METHODS must have one of piae-dt "));
+  EXPECT_THAT(refusal("identify"),
+              StartsWith("make identify: METHODS must include one of piae-dt "));
   run_.request.methods = "piae-dt";
   run_.request.datasets = "real";
-  EXPECT_EQ(
-      refusal("identify"),
-      "make identify: DATASETS must have one that is simulated (made), whose (k, c) are known");
+  EXPECT_EQ(refusal("identify"),
+            "make identify: DATASETS must include a simulated one (made), because only simulated "
+            "(k, c) are known");
 }
 
-TEST_F(StepsOfARun, ToTrustAClassifierKeepIt) {
+TEST_F(StepsOfARun, KeepTheClassifierForTrust) {
   run_.request.methods = "smote";
   run_.request.ratios = "10to1";
   EXPECT_THAT(command("seed0/smote/10to1/wdcnn/classifier.h5", "trust"),
@@ -222,17 +225,17 @@ TEST_F(StepsOfARun, ToTrustAClassifierKeepIt) {
   EXPECT_THAT(logs("trust"), Contains("t/real/trust"));
 }
 
-TEST_F(StepsOfARun, OfATransferAreOfGroupsOfDataSets) {
+TEST_F(StepsOfARun, CoverGroupsOfDataSetsInATransfer) {
   run_.set("[diagnose]",
            "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\ninputs = "
            "[\"smote=wdcnn-spectra\", \"none=wdcnn\"]\n[diagnose]");
   run_.request.methods = "none smote";
   EXPECT_EQ(refusal("transfer"),
-            "make transfer: DATASETS must have all of a group: both (real made)");
+            "make transfer: DATASETS must include all data sets of one group: both (real made)");
   run_.request.datasets = "real made";
   run_.request.classifiers = "wdcnn";
   EXPECT_EQ(refusal("transfer"),
-            "make transfer: CLASSIFIERS must have wdcnn-spectra, which [transfer.both] of "
+            "make transfer: CLASSIFIERS must include wdcnn-spectra, which [transfer.both] of "
             "pipeline/protocol.toml names for these METHODS");
   run_.request.classifiers = "wdcnn wdcnn-spectra";
   EXPECT_THAT(logs("transfer"), Contains("t/transfer@both"));
@@ -248,7 +251,7 @@ TEST_F(StepsOfARun, OfATransferAreOfGroupsOfDataSets) {
                         "wdcnn-spectra --seeds 0 "));
 }
 
-TEST_F(StepsOfARun, OfAContrastAreOfBothSplits) {
+TEST_F(StepsOfARun, CoverBothSplitsInAContrast) {
   run_.request.methods = "smote";
   run_.request.ratios = "10to1";
   EXPECT_THAT(logs("contrast"), Contains("t-blocked/real/seed0/smote/10to1/wdcnn/diagnose"));
@@ -257,12 +260,13 @@ TEST_F(StepsOfARun, OfAContrastAreOfBothSplits) {
                         "smote --ratios 10to1 --seeds 0 --output results/t/real/protocols.md"));
 }
 
-TEST_F(StepsOfARun, OfAContrastAreByThePapersClassifier) {
+TEST_F(StepsOfARun, UseThePapersClassifierInAContrast) {
   run_.request.classifiers = "nearest";
-  EXPECT_EQ(refusal("contrast"), "make contrast: CLASSIFIERS must have wdcnn, the paper's");
+  EXPECT_EQ(refusal("contrast"),
+            "make contrast: CLASSIFIERS must include wdcnn, the paper's classifier");
 }
 
-TEST_F(StepsOfARun, OfAContrastLeaveOutWhatIsOutOfDateOnEitherSide) {
+TEST_F(StepsOfARun, LeaveOutStaleCellsOnBothSidesOfAContrast) {
   run_.request.methods = "none smote";
   run_.request.ratios = "100to1 10to1";
   run_.request.seeds = "0 1";
@@ -275,7 +279,7 @@ TEST_F(StepsOfARun, OfAContrastLeaveOutWhatIsOutOfDateOnEitherSide) {
   EXPECT_THAT(run_.run("contrast"), ElementsAre(testing::Pair("contrast", 1)));
 }
 
-TEST_F(StepsOfARun, OfAContrastOfBothReadingsOfCwruCompareTheirRates) {
+TEST_F(StepsOfARun, CompareTheRatesOfBothReadingsOfCwru) {
   for (const std::string name : {"cwru", "cwru-as-published"}) {
     run_.write("datasets/" + name + ".toml",
                "name = \"" + name + "\"\n[[record]]\nfile = \"1.mat\"\nclass = \"a\"\n");
@@ -292,7 +296,7 @@ TEST_F(StepsOfARun, OfAContrastOfBothReadingsOfCwruCompareTheirRates) {
   EXPECT_EQ(narrowed(run_.request, "results/t/cwru/seed1/split").seeds, "1");
 }
 
-TEST_F(StepsOfARun, OfASweepAreAgainOnlyThoseWhoseSettingsAreOthers) {
+TEST_F(StepsOfARun, RerunOnlyChangedPointsOfASweep) {
   run_.request.ratios = std::nullopt;
   run_.set("epochs = 200",
            "epochs = 200\nbatch = 5\ndepth = 3\n[sweep]\npoints = [\"batch=1\", \"batch=5\", "
@@ -308,7 +312,7 @@ TEST_F(StepsOfARun, OfASweepAreAgainOnlyThoseWhoseSettingsAreOthers) {
   EXPECT_THAT(command("sweep.md", "sweep"), HasSubstr(" --centre depth=4 "));
 }
 
-TEST_F(StepsOfARun, OfAnIdentificationLeaveOutModelsThatAreOutOfDate) {
+TEST_F(StepsOfARun, LeaveOutStaleModelsInAnIdentification) {
   run_.request.datasets = "made";
   run_.set("[generate]", "[train.piae-dt-phase]\nepochs = 2\n[generate]");
   run_.request.methods = "piae-dt piae-dt-phase";
@@ -323,7 +327,7 @@ TEST_F(StepsOfARun, OfAnIdentificationLeaveOutModelsThatAreOutOfDate) {
               HasSubstr(" --leave-out seed0/piae-dt-phase --methods piae-dt --seeds 0 "));
 }
 
-TEST_F(StepsOfARun, OfSeveralGoalsAreThoseOfEach) {
+TEST_F(StepsOfARun, CombineSeveralGoals) {
   run_.request.goals = {"records"};
   Request requested = run_.request;
   requested.goals = {"records", "cells", "results/t/real/seed0/smote/1to1/wdcnn/features.h5"};

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(HeldCells, AreKnownByTheirPlaces) {
+TEST(HeldCells, AreRecognisedByTheirPaths) {
   const SmallRun run;
   const Experiment experiment = read_experiment(run.pipeline.path());
   const auto cells = held_cells(
@@ -26,7 +26,7 @@ TEST(HeldCells, AreKnownByTheirPlaces) {
   EXPECT_EQ(cells[2].classifier, "wdcnn");
 }
 
-TEST(HeldCells, AreNoneOfWhatNobodyKnows) {
+TEST(HeldCells, ExcludeUnknownFiles) {
   const SmallRun run;
   const Experiment experiment = read_experiment(run.pipeline.path());
   EXPECT_THAT(held_cells(experiment, {"seed01/smote/score.h5", "seed0/magic/score.h5",

@@ -8,7 +8,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 std::string why_of(Lines lines) {
-  lines.insert(lines.begin(), "job: life begun at 100 on node7, 4 cores");
+  lines.insert(lines.begin(), "job: life started at 100 on node7, 4 cores");
   return read_job_log("cells.3", lines).why;
 }
 
@@ -29,14 +29,14 @@ TEST(JobLog, SaysWhyAJobEnded) {
   EXPECT_EQ(why_of({"slurmstepd: Exceeded job memory limit"}), "out of memory");
   EXPECT_EQ(why_of({of_memory, of_time}), "out of memory");
   // The next life starts from scratch.
-  EXPECT_EQ(why_of({of_time, "job: life begun at 300 on n1, 4 cores", in_time}), "");
+  EXPECT_EQ(why_of({of_time, "job: life started at 300 on n1, 4 cores", in_time}), "");
 }
 
-TEST(JobLog, HasTheLivesOfAJob) {
+TEST(JobLog, ListsTheLivesOfAJob) {
   const JobLog log = read_job_log(
-      "cells.3", {"job: life begun at 100 on node7, 4 cores", "anything",
+      "cells.3", {"job: life started at 100 on node7, 4 cores", "anything",
                   "job: life ended at 160, used 12.5 s, status 75: out of time, goes back",
-                  "job: life begun at 200 on node 8, rack 2, 3 cores", "job: life begun at x"});
+                  "job: life started at 200 on node 8, rack 2, 3 cores", "job: life started at x"});
   ASSERT_EQ(log.lives.size(), 2U);
   EXPECT_EQ(log.lives[0].start_s, 100);
   EXPECT_EQ(log.lives[0].end_s, 160);
@@ -46,7 +46,15 @@ TEST(JobLog, HasTheLivesOfAJob) {
   EXPECT_EQ(log.lives[1].end_s, std::nullopt);
 }
 
-TEST(JobLog, SaysWhatJobsSpent) {
+/// A job that was queued before an update writes the old word.
+TEST(JobLog, ReadsLivesThatWereBegun) {
+  const JobLog log = read_job_log("cells.3", {"job: life begun at 100 on node7, 4 cores"});
+  ASSERT_EQ(log.lives.size(), 1U);
+  EXPECT_EQ(log.lives[0].start_s, 100);
+  EXPECT_EQ(log.lives[0].cores, 4);
+}
+
+TEST(JobLog, SumsWhatJobsSpent) {
   // 3600 s on 2 cores, 1.5 core-hours used; 900 s on 4 cores; the tables for 60 s on one core.
   const std::vector<JobLog> jobs{
       {"cells.0", {{1100, 2, 4700, 5400}}, ""},

@@ -14,14 +14,14 @@ using testing::SizeIs;
 
 class PartsOfARequest : public Requests {};
 
-TEST_F(PartsOfARequest, GiveTheBaselineTheBarWhateverTheClassifiers) {
+TEST_F(PartsOfARequest, GiveTheBaselineNearestWithAnyClassifiers) {
   request_.classifiers = "wdcnn-spectrum";
   const Choice choice = choose(experiment_, request_);
   EXPECT_THAT(choice.parts.front().cells,
               testing::Contains(run::Combination{"none", "100to1", "nearest"}));
 }
 
-TEST_F(PartsOfARequest, LeaveOutWhatNeedsKnownWindowsWhereNoneIsKnown) {
+TEST_F(PartsOfARequest, LeaveOutMethodsThatNeedKnownWindows) {
   run_.write("datasets/real.toml", "name = \"real\"\n[split]\nknown-per-class = 0\n");
   experiment_ = read_experiment(run_.pipeline.path());
   request_.methods = "none smote piae-dt-zero";
@@ -34,19 +34,18 @@ TEST_F(PartsOfARequest, LeaveOutWhatNeedsKnownWindowsWhereNoneIsKnown) {
   EXPECT_THAT(choice.parts.front().methods, ElementsAre("none", "piae-dt-zero"));
   request_.methods = "smote";
   request_.classifiers = "wdcnn";
-  EXPECT_THAT(refusal(), HasSubstr("real: nothing is left to be made; no fault window is known"));
+  EXPECT_THAT(refusal(), HasSubstr("real: nothing is left to run; no fault window is known"));
 }
 
-TEST_F(PartsOfARequest, RefuseAMethodThatADescriptionDoesNotSayEnoughFor) {
+TEST_F(PartsOfARequest, RefuseAMethodIfTheDescriptionLacksKeys) {
   run_.write("datasets/real.toml",
              "name = \"real\"\n[bearing]\n[[class]]\nname = \"a\"\ndefect = \"outer\"\n");
   experiment_ = read_experiment(run_.pipeline.path());
   request_.datasets = "real";
   request_.methods = "none smote strike-twin";
-  EXPECT_EQ(
-      refusal(),
-      "METHODS: strike-twin cannot be run; the description of real does not say what they need: "
-      "defect_size_mm of every fault; choose METHODS=\"none smote\"");
+  EXPECT_EQ(refusal(),
+            "METHODS: strike-twin cannot be run; the description of real lacks what they need: "
+            "defect_size_mm of every fault; choose METHODS=\"none smote\"");
   request_.methods = std::nullopt;
   const Choice choice = choose(experiment_, request_);
   ASSERT_THAT(choice.notices, SizeIs(1));

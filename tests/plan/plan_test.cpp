@@ -33,7 +33,7 @@ class FilesThatAreAskedFor : public testing::Test {
   SmallRun run_;
 };
 
-TEST_F(FilesThatAreAskedFor, MayBePictures) {
+TEST_F(FilesThatAreAskedFor, CanBePictures) {
   const std::string picture = "results/t/real/figures/gains.svg";
   EXPECT_THAT(steps_of(picture, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(picture, Stretch::numbers), ElementsAre("real/figures", "made/figures"));
@@ -44,7 +44,7 @@ TEST_F(FilesThatAreAskedFor, MayBePictures) {
   EXPECT_THAT(steps_of("results/t/real/figures/gains.csv", Stretch::pictures), IsEmpty());
 }
 
-TEST_F(FilesThatAreAskedFor, MayBePages) {
+TEST_F(FilesThatAreAskedFor, CanBePages) {
   const std::string page = "results/t/report.html";
   EXPECT_THAT(steps_of(page, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(page, Stretch::pictures),
@@ -52,7 +52,7 @@ TEST_F(FilesThatAreAskedFor, MayBePages) {
   EXPECT_THAT(steps_of(page, Stretch::pages), ElementsAre("report"));
 }
 
-TEST_F(FilesThatAreAskedFor, MakeStretchesNeeded) {
+TEST_F(FilesThatAreAskedFor, AddTheStretchesTheyNeed) {
   const auto needed = [&](const std::string& goals) {
     std::vector<Stretch> needed;
     for (const Stretch stretch : stretches) {
@@ -67,11 +67,11 @@ TEST_F(FilesThatAreAskedFor, MakeStretchesNeeded) {
               ElementsAre(Stretch::grid, Stretch::numbers, Stretch::pictures, Stretch::pages));
 }
 
-TEST_F(FilesThatAreAskedFor, MayBeWrittenInOtherWords) {
+TEST_F(FilesThatAreAskedFor, CanHaveUnusualPaths) {
   EXPECT_THAT(steps_of("results/t//real/./records.h5", Stretch::grid), ElementsAre("real/ingest"));
 }
 
-TEST_F(FilesThatAreAskedFor, AreRefusedWhereNoStepMakesThem) {
+TEST_F(FilesThatAreAskedFor, AreRefusedIfNoStepMakesThem) {
   const std::vector<std::pair<std::string, Stretch>> unknown{
       {"results/t/real/other.h5", Stretch::grid},
       {"results/t/report.docx", Stretch::grid},
@@ -81,7 +81,9 @@ TEST_F(FilesThatAreAskedFor, AreRefusedWhereNoStepMakesThem) {
       (void)run_.plan(file, stretch);
       ADD_FAILURE() << file;
     } catch (const Error& error) {
-      EXPECT_EQ(error.what(), file + ": no step makes it, with these variables");
+      EXPECT_EQ(error.what(), file +
+                                  ": no step makes this file with the given DATASETS, METHODS, "
+                                  "RATIOS, CLASSIFIERS and SEEDS; change these");
     }
   }
 }

@@ -50,7 +50,7 @@ class TableOnTheDisk : public testing::Test {
   void begin() {
     const auto now =
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch());
-    folder_.write(table_step + ".log", "build/bin/tabulate\nstep: begun at " +
+    folder_.write(table_step + ".log", "build/bin/tabulate\nstep: started at " +
                                            std::to_string(now.count() + 0.05) + "\n");
   }
   /// Records how the table was made. True if the journal has kept it.
@@ -66,9 +66,9 @@ class TableOnTheDisk : public testing::Test {
   Request request_;
 };
 
-TEST_F(TableOnTheDisk, IsNotedByTheSettingsThatItWasMadeWith) { EXPECT_TRUE(notes()); }
+TEST_F(TableOnTheDisk, IsRecordedWithItsSettings) { EXPECT_TRUE(notes()); }
 
-TEST_F(TableOnTheDisk, IsNotedBesideGoalsThatNeedMoreThanItsDataSet) {
+TEST_F(TableOnTheDisk, IsRecordedIfAnotherGoalNeedsMoreDataSets) {
   folder_.write("pipeline/datasets/other.toml", "name = \"other\"\n[simulation]\nnoise = 0.1\n");
   set("[transfer.both]\ndatasets = [\"made\", \"other\"]\nagainst = \"smote\"\n"
       "inputs = [\"smote=wdcnn\"]\n");
@@ -81,12 +81,12 @@ TEST_F(TableOnTheDisk, IsNotedBesideGoalsThatNeedMoreThanItsDataSet) {
   EXPECT_TRUE(planned_for(request_, {}, cell)->is_due(cell));
 }
 
-TEST_F(TableOnTheDisk, IsNotNotedWhereItsSettingsChangedMeanwhile) {
+TEST_F(TableOnTheDisk, IsNotRecordedIfItsSettingsChangedMeanwhile) {
   set("against = \"none\"\n");
   EXPECT_FALSE(notes());
 }
 
-TEST_F(TableOnTheDisk, IsNotNotedWhereAnotherMakeWroteTheSettingsMeanwhile) {
+TEST_F(TableOnTheDisk, IsNotRecordedIfAnotherMakeWroteTheSettings) {
   set("against = \"none\"\n");
   ::usleep(100'000);
   write_settings(Planned(request_, {}).plan());
@@ -95,7 +95,7 @@ TEST_F(TableOnTheDisk, IsNotNotedWhereAnotherMakeWroteTheSettingsMeanwhile) {
   EXPECT_TRUE(notes());
 }
 
-TEST(FilesThatAStepRead, HaveChangedSinceItBegan) {
+TEST(FilesThatAStepRead, CountAsChangedSinceItStarted) {
   const Times times{.started_s = 100, .now_s = 200};
   EXPECT_FALSE(lies_in(times, 99));
   EXPECT_TRUE(lies_in(times, 150));

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Makefiles, HaveARuleForEachStepThatIsToBeDone) {
+TEST(Makefiles, HaveARuleForEachDueStep) {
   SmallRun run;
   run.narrow_to("smote", "10to1");
   const std::string text = makefile_of(run.plan("tables"), true);
@@ -29,13 +29,13 @@ TEST(Makefiles, HaveARuleForEachStepThatIsToBeDone) {
   EXPECT_THAT(text, HasSubstr(".PHONY: steps results/t/real/records.h5 "));
 }
 
-TEST(Makefiles, AreEmptyWhereNothingIsToBeDone) {
+TEST(Makefiles, AreEmptyIfNoStepIsDue) {
   SmallRun run;
   run.run();
   EXPECT_EQ(makefile_of(run.plan(), true), "");
 }
 
-TEST(Makefiles, AskAgainWhetherAStepIsDueThatWaitsForAnother) {
+TEST(Makefiles, RecheckStepsThatWaitForOthers) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/smote/model.h5");
@@ -46,24 +46,24 @@ TEST(Makefiles, AskAgainWhetherAStepIsDueThatWaitsForAnother) {
   EXPECT_THAT(text, Not(HasSubstr("seed0/piae-dt")));
 }
 
-TEST(Makefiles, GiveAFolderOfRecordingsWithBlanksAsOneWord) {
+TEST(Makefiles, QuoteAFolderWithBlanks) {
   SmallRun run;
   run.request.data_dir = "my data";
   EXPECT_THAT(makefile_of(run.plan("records"), true), HasSubstr(" --data-dir 'my data' "));
 }
 
-TEST(Reasons, OfFewStepsAreALineEach) {
+TEST(Reasons, ListFewStepsOneByOne) {
   SmallRun run;
   run.run();
   run.disk.files.erase("results/t/real/seed0/smote/model.h5");
   EXPECT_EQ(
       why_of(run.plan()),
       "real/seed0/smote train: missing\n"
-      "after these, where they give something else: 2 diagnose, 1 features, 1 generate, 1 score, "
+      "then, if the steps above change their inputs: 2 diagnose, 1 features, 1 generate, 1 score, "
       "1 tabulate\n");
 }
 
-TEST(Reasons, OfManyStepsAreOneLine) {
+TEST(Reasons, CombineManySteps) {
   SmallRun run;
   run.run();
   run.set("epochs = 50", "epochs = 60");

@@ -13,71 +13,73 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST_F(Requests, NameWhatThereIsOnly) {
+TEST_F(Requests, NameOnlyWhatExists) {
   request_.datasets = "nowhere";
-  EXPECT_EQ(refusal(), "DATASETS: unknown 'nowhere'; there are: made real");
+  EXPECT_EQ(refusal(), "DATASETS: unknown 'nowhere'; choose from: made real");
   request_ = run_.request;
   request_.ratios = "3to1";
-  EXPECT_THAT(refusal(), HasSubstr("RATIOS: unknown '3to1'; there are: 100to1 "));
+  EXPECT_THAT(refusal(), HasSubstr("RATIOS: unknown '3to1'; choose from: 100to1 "));
   request_ = run_.request;
   request_.methods = "magic";
-  EXPECT_THAT(refusal(), HasSubstr("METHODS: unknown 'magic'; there are: none dynamics smote "));
+  EXPECT_THAT(refusal(), HasSubstr("METHODS: unknown 'magic'; choose from: none dynamics smote "));
   request_ = run_.request;
   request_.classifiers = "svm";
-  EXPECT_THAT(refusal(), HasSubstr("CLASSIFIERS: unknown 'svm'; there are: wdcnn "));
+  EXPECT_THAT(refusal(), HasSubstr("CLASSIFIERS: unknown 'svm'; choose from: wdcnn "));
   request_ = run_.request;
   request_.goals = {"tabels"};
-  EXPECT_THAT(refusal(), HasSubstr("there is no goal 'tabels'; there are: records cells "));
+  EXPECT_THAT(refusal(), HasSubstr("unknown goal 'tabels'; choose from: records cells "));
 }
 
 TEST_F(Requests, NameNothingTwice) {
   request_.methods = "smote smote";
-  EXPECT_EQ(refusal(), "METHODS: 'smote smote' names one twice");
+  EXPECT_EQ(refusal(), "METHODS: 'smote smote' names the same item twice; remove one");
   request_ = run_.request;
   request_.methods = "paper smote";
-  EXPECT_THAT(refusal(), HasSubstr("names one twice"));
+  EXPECT_THAT(refusal(), HasSubstr("names the same item twice"));
   request_ = run_.request;
   request_.seeds = "1 1";
-  EXPECT_EQ(refusal(), "SEEDS: '1 1' names one twice");
+  EXPECT_EQ(refusal(), "SEEDS: '1 1' names the same item twice; remove one");
 }
 
-TEST_F(Requests, HaveSeedsThatAreWholeNumbers) {
+TEST_F(Requests, RefuseSeedsThatAreNotWholeNumbers) {
   for (const char* seeds : {"0 x", "-1", "01", "1.5"}) {
     request_.seeds = seeds;
-    EXPECT_EQ(refusal(), "SEEDS: whole numbers from 0 up, not '" + std::string(seeds) + "'");
+    EXPECT_EQ(refusal(),
+              "SEEDS: must be whole numbers from 0 up, not '" + std::string(seeds) + "'");
   }
 }
 
-TEST_F(Requests, HaveARunThatCanBeAFolder) {
+TEST_F(Requests, RefuseARunThatCannotBeAFolder) {
   request_.run = "../t";
   EXPECT_THAT(refusal(), HasSubstr("not a path: '../t'"));
   request_.run = "reference";
-  EXPECT_EQ(refusal(), "RUN: 'reference' cannot be the name of a run");
+  EXPECT_EQ(refusal(),
+            "RUN: 'reference' cannot be the name of a run; choose another one, such as try");
   for (const char* name : {"results", "-x", ".hidden", ".."}) {
     request_.run = name;
-    EXPECT_EQ(refusal(), "RUN: '" + std::string(name) + "' cannot be the name of a run");
+    EXPECT_EQ(refusal(), "RUN: '" + std::string(name) +
+                             "' cannot be the name of a run; choose another one, such as try");
   }
   request_.run = "two words";
-  EXPECT_EQ(refusal(), "RUN: one word, the name of a folder under results/");
+  EXPECT_EQ(refusal(), "RUN: must be one word, the name of a folder under results/");
   request_.run = "results/try/";
   EXPECT_EQ(choose(experiment_, request_).folder(), "results/try");
 }
 
-TEST_F(Requests, KnowThePapersMethodsByOneWord) {
+TEST_F(Requests, AcceptOneWordForThePapersMethods) {
   request_.methods = "paper";
   EXPECT_THAT(choose(experiment_, request_).methods, SizeIs(10));
 }
 
-TEST_F(Requests, HaveCells) {
+TEST_F(Requests, AreRefusedWithoutCells) {
   request_.methods = "none";
   request_.ratios = "1to1";
-  EXPECT_EQ(
-      refusal(),
-      "no cells: METHODS=\"none\" RATIOS=\"1to1\"; none is run at 100to1 only, the others at all "
-      "other ratios");
+  EXPECT_EQ(refusal(),
+            "no cells: METHODS=\"none\" RATIOS=\"1to1\"; none runs at 100to1 only, and the other "
+            "methods at all other ratios");
 }
 
-TEST_F(Requests, ThatOnlyLookNeedNoCells) {
+TEST_F(Requests, DoNotNeedCellsForReadOnlyGoals) {
   request_.goals = {"figures", "report"};
   request_.datasets = std::nullopt;
   request_.methods = "none";

@@ -50,7 +50,7 @@ TEST(SettingsOfAStage, AreThoseOfItsVariant) {
   EXPECT_EQ(project.values_of("score"), "\n");
 }
 
-TEST(SettingsOfAStage, OfTheSplitAreThoseOfTheDescriptionOnTopOfTheProtocols) {
+TEST(SettingsOfAStage, LetADescriptionOverrideTheSplit) {
   const Project project("[split]\nwindow = 1024\nguard-windows = 2\n");
   project.folder.write("datasets/a.toml", "name = \"a\"\n[split]\nwindow = 4096\n");
   project.folder.write("datasets/b.toml", "name = \"b\"\nlike = \"a\"\n[split]\nmax-stride = 9\n");
@@ -60,7 +60,7 @@ TEST(SettingsOfAStage, OfTheSplitAreThoseOfTheDescriptionOnTopOfTheProtocols) {
   EXPECT_EQ(Project::values_in(*settings), "guard-windows = 2\nmax-stride = 9\nwindow = 4096\n");
 }
 
-TEST(SettingsOfAStage, HoldADescriptionWithWhatItTakesFromAnother) {
+TEST(SettingsOfAStage, ResolveADescriptionThatExtendsAnother) {
   const Project project("");
   project.folder.write("datasets/a.toml",
                        "name = \"a\"\nrate = 3\n[[record]]\nfile = \"2.mat\"\n[[record]]\nfile = "
@@ -72,7 +72,7 @@ TEST(SettingsOfAStage, HoldADescriptionWithWhatItTakesFromAnother) {
   EXPECT_THAT(settings->recordings, ElementsAre("1.mat", "2.mat", "x_*.csv"));
 }
 
-TEST(SettingsOfAStage, AreReadFromTheirFileAsFromTheProtocol) {
+TEST(SettingsOfAStage, GiveTheSameFromTheirFileAsFromTheProtocol) {
   const Experiment experiment = read_experiment(own_pipeline());
   StageSettings settings(experiment, "run");
   for (const std::string& method : augment::method_names()) {
@@ -101,7 +101,7 @@ TEST(SettingsOfAStage, KeepEveryBitOfANumber) {
   }
 }
 
-TEST(SettingsFiles, AreWrittenWhereTheyChangeAndThroughNoLink) {
+TEST(SettingsFiles, AreWrittenIfChangedAndNotThroughLinks) {
   SmallRun run;
   run.request.run = "settings-test";
   const Folder here;

@@ -54,7 +54,7 @@ TEST_F(StatusOfARun, CountsCellsThatAreDone) {
             "real none 4 4 0 0 0 0 s\nreal smote 6 6 0 0 0 0 s\nall 10 10 0 0 0 0 s\n");
 }
 
-TEST_F(StatusOfARun, TakesTheTimeOfStepsLikeThoseToCome) {
+TEST_F(StatusOfARun, EstimatesTimeFromSimilarSteps) {
   run_.run("cells");
   for (const char* seed : {"seed0", "seed1"}) {
     const std::string of_seed = std::string("real/") + seed;
@@ -69,7 +69,7 @@ TEST_F(StatusOfARun, TakesTheTimeOfStepsLikeThoseToCome) {
   EXPECT_THAT(status(), HasSubstr("all 10 8 0 0 2 2 min\n"));
 }
 
-TEST_F(StatusOfARun, CountsAllCellsThatAFailedStepHoldsUp) {
+TEST_F(StatusOfARun, CountsAllCellsThatAFailedStepBlocks) {
   run_.run("cells");
   for (const char* file : {"model.h5", "E.h5", "score.h5", "1to1/wdcnn/diagnosis.h5"}) {
     run_.disk.files.erase(std::string("results/t/real/seed1/smote/") + file);
@@ -82,7 +82,7 @@ TEST_F(StatusOfARun, CountsAllCellsThatAFailedStepHoldsUp) {
                               "results/t/real/seed1/smote/train.log)\n"));
 }
 
-TEST_F(StatusOfARun, ShowsWhatRunsAndHowFarItIs) {
+TEST_F(StatusOfARun, ShowsRunningStepsAndTheirProgress) {
   run_.run("cells");
   run_.disk.files.erase("results/t/real/seed0/smote/score.h5");
   const std::string log = "results/t/real/seed0/smote/score.log";
@@ -95,7 +95,7 @@ TEST_F(StatusOfARun, ShowsWhatRunsAndHowFarItIs) {
   EXPECT_THAT(status(), Not(HasSubstr("failed\n ")));
 }
 
-TEST_F(StatusOfARun, SaysWhyAJobEndedWhereItsStepDoesNot) {
+TEST_F(StatusOfARun, ShowsWhyAJobEndedIfItsStepDoesNot) {
   run_.run("cells");
   run_.disk.files.erase("results/t/real/seed0/smote/score.h5");
   run::StepLog& log = logs_.logs["results/t/real/seed0/smote/score.log"];
@@ -115,7 +115,7 @@ TEST_F(StatusOfARun, SaysWhyAJobEndedWhereItsStepDoesNot) {
   EXPECT_THAT(status(), HasSubstr("score: exit code 139 (log: "));
 }
 
-TEST_F(StatusOfARun, OfAnIdentificationCountsModels) {
+TEST_F(StatusOfARun, CountsModelsOfAnIdentification) {
   run_.request.datasets = "made";
   run_.request.methods = "piae-dt";
   const std::string text = status("identify");
@@ -123,18 +123,18 @@ TEST_F(StatusOfARun, OfAnIdentificationCountsModels) {
   EXPECT_THAT(text, HasSubstr("made piae-dt 2 0 0 0 2 "));
 }
 
-TEST_F(StatusOfARun, OfTrustCountsClassifiers) {
+TEST_F(StatusOfARun, CountsClassifiersOfTrust) {
   run_.request.ratios = "10to1";
   EXPECT_THAT(status("trust"), HasSubstr("real smote 2 0 0 0 2 "));
 }
 
-TEST(Submissions, GiveTheirGoalAndListsWhereNoneIsGiven) {
+TEST(Submissions, SupplyTheGoalAndListsIfNoneIsGiven) {
   const Folder folder;
   folder.write("choice", "sweep\nRUN=t\nSEEDS=0 1\nMETHODS=piae-dt\n");
   folder.write("cells.0", "results/t/a.h5\nresults/t/b.h5\n");
   folder.write("cells.0.log", "job: life ended at 1, used 1 s, status 1: out of time\x1b[2J\n");
-  folder.write("cells.1.log", "job: life begun at 1 on n1, 4 cores\n");
-  folder.write("tables.log", "job: life begun at 1 on n1, 4 cores\nspent: 3 steps\n");
+  folder.write("cells.1.log", "job: life started at 1 on n1, 4 cores\n");
+  folder.write("tables.log", "job: life started at 1 on n1, 4 cores\nspent: 3 steps\n");
   std::istringstream lines(
       "submission\t" + folder.path().string() +
       "\nqueue\tcells.1\tPENDING\tResources\nqueue\tcells.2\tPENDING\tResources\n"
@@ -157,11 +157,11 @@ TEST(Submissions, GiveTheirGoalAndListsWhereNoneIsGiven) {
   EXPECT_EQ(other.methods, std::nullopt);
 }
 
-TEST(Submissions, TellKilledJobsOnlyWhereTheQueueIsKnown) {
+TEST(Submissions, ReportKilledJobsOnlyIfTheQueueIsKnown) {
   const Folder folder;
   folder.write("choice", "all\n");
-  folder.write("cells.0.log", "job: life begun at 1 on n1, 4 cores\n");
-  folder.write("cells.1.log", "job: life begun at 1 on n1, 4 cores\nDUE TO TIME LIMIT\n");
+  folder.write("cells.0.log", "job: life started at 1 on n1, 4 cores\n");
+  folder.write("cells.1.log", "job: life started at 1 on n1, 4 cores\nDUE TO TIME LIMIT\n");
   const std::string named = "submission\t" + folder.path().string() + '\n';
   const auto ended = [&](const std::string& queue) {
     std::istringstream lines(named + queue);
@@ -174,17 +174,17 @@ TEST(Submissions, TellKilledJobsOnlyWhereTheQueueIsKnown) {
   EXPECT_EQ(ended("queue\t?\t?\tno answer\n"), "cells.1: out of time; ");
 }
 
-TEST(Submissions, SayWhatTheyHaveSpent) {
+TEST(Submissions, ReportWhatTheySpent) {
   const Folder folder;
   const fs::path submission = folder.path() / "results/t/.jobs/1";
   fs::create_directories(submission);
   fs::create_directories(folder.path() / "results/t-blocked");
-  const std::string done = "train\nstep: begun at 99999999999.0\nstep: exit 0 after 1.0 s\n";
+  const std::string done = "train\nstep: started at 99999999999.0\nstep: exit 0 after 1.0 s\n";
   folder.write("results/t/.jobs/1/choice", "contrast\n");
-  folder.write("results/t/old.log", "train\nstep: begun at 1.0\nstep: exit 0 after 1.0 s\n");
+  folder.write("results/t/old.log", "train\nstep: started at 1.0\nstep: exit 0 after 1.0 s\n");
   folder.write("results/t/new.log", done);
   folder.write("results/t/failed.log",
-               "train\nstep: begun at 99999999999.0\nstep: exit 65 after 1.0 s\n");
+               "train\nstep: started at 99999999999.0\nstep: exit 65 after 1.0 s\n");
   folder.write("results/t-blocked/new.log", done);
   // A submission of tables alone has no lists.
   EXPECT_THAT(spent_by_submission(submission), StartsWith("spent: 1 steps in 0 jobs; "));

@@ -15,7 +15,7 @@ std::string accuracy(const std::string& reading, const std::string& ratio, int p
   return "cwru," + reading + ",accuracy," + ratio + ",2," + std::to_string(percent) + ",1\n";
 }
 
-TEST(Ranking, GoesOnFromTheBest) {
+TEST(Ranking, SuggestsChangesOfTheBest) {
   const Folder folder;
   folder.write("readings.csv",
                header + accuracy("base", "10to1", 60) + accuracy("base", "1to1", 50) +
@@ -40,7 +40,7 @@ TEST(Ranking, IsTheMeanOverDataSets) {
   EXPECT_EQ(ranking({folder / "a.csv", folder / "b.csv"}), " 75.00  base\n 65.00  x=1\n");
 }
 
-TEST(Ranking, RefusesWhatIsNoNumber) {
+TEST(Ranking, RefusesWhatIsNotANumber) {
   const Folder folder;
   folder.write("a.csv", header + "cwru,base,accuracy,1to1,2,high,1\n");
   EXPECT_ERROR((void)ranking({folder / "a.csv"}), Exit::bad_input,

@@ -16,7 +16,7 @@ ReadingsOptions options_of(const std::string& readings) {
           .seeds = {"100 101"}};
 }
 
-TEST(Readings, BeginWithTheBaseAndHaveFoldersOfTheirOwn) {
+TEST(Readings, StartWithTheBaseAndHaveSeparateFolders) {
   const Readings readings = resolve(options_of("batches=class batches=class+space=class"));
   ASSERT_EQ(readings.readings.size(), 3U);
   EXPECT_EQ(readings.readings[0].folder(), "readings/base");
@@ -26,7 +26,7 @@ TEST(Readings, BeginWithTheBaseAndHaveFoldersOfTheirOwn) {
   EXPECT_THAT(readings.grid.seeds, testing::ElementsAre(100, 101));
 }
 
-TEST(Readings, ThatAreNoneAreRefused) {
+TEST(Readings, RefuseMalformedNames) {
   for (const std::string word : {"base", "batches", "batches=", "=class", "batches=class+", "+a=b",
                                  "a=b+c", "a=../b", "a=b/c"}) {
     EXPECT_ERROR(resolve(options_of(word)), Exit::usage, "'" + word + "' is not SETTING=VALUE");

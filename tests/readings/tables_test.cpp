@@ -27,7 +27,7 @@ std::vector<Row> rows() {
   return all;
 }
 
-TEST(ReadingTables, HaveMeanAndDeviationOverTheSeeds) {
+TEST(ReadingTables, ShowMeanAndDeviationOverTheSeeds) {
   const std::string text = csv("cwru", rows());
   EXPECT_THAT(text, HasSubstr("dataset,reading,quantity,ratio,seeds,mean,std\n"));
   EXPECT_THAT(text, HasSubstr("cwru,base,accuracy,10to1,2,61,1.41421\n"));
@@ -35,14 +35,14 @@ TEST(ReadingTables, HaveMeanAndDeviationOverTheSeeds) {
   EXPECT_THAT(text, HasSubstr("cwru,batches=class,accuracy,10to1,1,50,\n"));
 }
 
-TEST(ReadingTables, ShowADashWhereAQuantityIsNotKnown) {
+TEST(ReadingTables, ShowADashForAnUnknownQuantity) {
   const std::string text = report::markdown(document(two_readings(), rows()));
   EXPECT_THAT(text, HasSubstr("61.0 ± 1.4"));
   EXPECT_THAT(text, HasSubstr("base is batches=mixed"));
   EXPECT_THAT(text, testing::ContainsRegex("batches=class +\\| +– \\| +– \\| +200"));
 }
 
-TEST(ReadingTables, EndWithWhatThePaperPublishes) {
+TEST(ReadingTables, EndWithThePublishedValues) {
   std::vector<Row> all = rows();
   const Readings readings = two_readings();
   const report::Published published(std::filesystem::path(PIAE_SOURCE) / "results/published");
@@ -53,7 +53,7 @@ TEST(ReadingTables, EndWithWhatThePaperPublishes) {
               testing::ContainsRegex("as published +\\| +85.4 \\| +–"));
 }
 
-TEST(ReadingTables, HaveNoSuchRowForADataSetThatThePaperDoesNotHave) {
+TEST(ReadingTables, HaveNoPublishedRowForOtherDataSets) {
   Readings readings = two_readings();
   readings.grid.dataset = "rig";
   EXPECT_THAT(published_rows(readings.grid, report::Published()), testing::IsEmpty());

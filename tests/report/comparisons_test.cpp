@@ -31,7 +31,7 @@ std::string text(const std::vector<AccuracyRow>& rows, const std::string& agains
 /// Worked by hand. Half-width of an interval: 2.776445 times the deviation / sqrt(5), with
 /// deviations 1.5811, 3.5355 and, for the means 0, 2, 3, 0, 5, 2.1213. Of the 32 sign patterns, 2,
 /// 20 and (of 8 without the zeros) 2 are as extreme. Holm: with two methods, the smaller p doubles.
-TEST(Comparisons, AreThoseWorkedByHand) {
+TEST(Comparisons, MatchHandCalculation) {
   EXPECT_EQ(csv(five_seeds()),
             comparisons_header +
                 "cwru,10to1,none,wdcnn,piae-dt,5,-10.0000,-10.0000,-10.0000,-1.0000,0.0625,0.125\n"
@@ -43,7 +43,7 @@ TEST(Comparisons, AreThoseWorkedByHand) {
 }
 
 /// A ceiling is not a method: it gets no corrected p and does not raise the p of methods.
-TEST(Comparisons, CorrectNoMethodForACeiling) {
+TEST(Comparisons, ExcludeCeilingsFromTheCorrection) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("oracle", "10to1", {99, 98, 97, 96, 95}));
   EXPECT_THAT(csv(rows),
@@ -62,7 +62,7 @@ TEST(Comparisons, AverageOverTheRatiosThatBothHave) {
               HasSubstr("\ncwru,mean,piae-dt,wdcnn,shift,5,-2.0000,-4.6340,0.6340,"));
 }
 
-TEST(Comparisons, HaveAMethodABlockAndARatioARow) {
+TEST(Comparisons, HaveABlockForEachMethodAndARowForEachRatio) {
   EXPECT_THAT(text(five_seeds()), HasSubstr("## Accuracy minus that of piae-dt on cwru\n\n"));
   EXPECT_THAT(text(five_seeds()), HasSubstr("| method | ratio        |    difference |    95 % "
                                             "interval | effect |         p (Holm) |\n"
@@ -82,7 +82,7 @@ TEST(Comparisons, HaveAMethodABlockAndARatioARow) {
                                             "+4.63] |  +1.00 |    0.25 (0.25) † |\n"));
 }
 
-TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
+TEST(Comparisons, UseTheLatestSubjectOrTheRequestedOne) {
   std::vector<AccuracyRow> rows = five_seeds();
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt");
   EXPECT_EQ(compare_methods(rows, "shift").against, "shift");
@@ -93,7 +93,7 @@ TEST(Comparisons, AreWithTheNewerSubjectOrTheOneAskedFor) {
 }
 
 /// strike-twin is made for faults known in other conditions than they are tested in.
-TEST(Comparisons, AreWithTheMethodThatIsMadeForTheDataset) {
+TEST(Comparisons, UseTheMethodMadeForTheDataset) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("strike-twin", "10to1", {1, 2, 3, 4, 5}));
   EXPECT_EQ(compare_methods(rows, "").against, "strike-twin");
@@ -106,7 +106,7 @@ TEST(Comparisons, AreWithTheMethodThatIsMadeForTheDataset) {
   EXPECT_EQ(compare_methods(rows, "").against, "piae-dt-phase");
 }
 
-TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
+TEST(Comparisons, RefuseAMethodWithoutCells) {
   try {
     compare_methods(five_seeds(), "vae");
     FAIL() << "compared with nothing";
@@ -117,7 +117,7 @@ TEST(Comparisons, WithAMethodThatIsNotThereAreRefused) {
   }
 }
 
-TEST(Comparisons, OfNothingAreEmpty) {
+TEST(Comparisons, AreEmptyWithoutRows) {
   const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
   EXPECT_EQ(csv(alone), comparisons_header);
   EXPECT_THAT(comparison_sections(compare_methods(alone, "")), IsEmpty());
@@ -129,13 +129,13 @@ TEST(Comparisons, OfNothingAreEmpty) {
   EXPECT_EQ(csv(apart), comparisons_header) << "no ratio in common";
 }
 
-TEST(Comparisons, OfOneSeedHaveNoTest) {
+TEST(Comparisons, HaveNoTestForOneSeed) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
   EXPECT_EQ(csv(rows), comparisons_header + "cwru,10to1,shift,wdcnn,piae-dt,1,1.0000,,,,,\n");
   EXPECT_THAT(text(rows), HasSubstr("| shift  | 10:1  |      +1.00 |\n"));
   EXPECT_THAT(text(rows), Not(HasSubstr("p (Holm)")));
-  EXPECT_THAT(text(rows), HasSubstr("One seed alone"));
+  EXPECT_THAT(text(rows), HasSubstr("A single seed cannot be tested"));
 }
 
 std::vector<AccuracyRow> of_seeds(std::size_t seeds) {
@@ -145,7 +145,7 @@ std::vector<AccuracyRow> of_seeds(std::size_t seeds) {
 }
 
 /// 2 / 2^6 is below 0.05, but not twice as much; 2 * 2 / 2^7 is.
-TEST(Comparisons, SayWhereTheSeedsAreTooFew) {
+TEST(Comparisons, ReportTooFewSeeds) {
   const auto caution = [](std::size_t seeds) {
     std::string all = text(of_seeds(seeds));
     std::ranges::replace(all, '\n', ' ');  // the paragraph is wrapped
@@ -157,14 +157,14 @@ TEST(Comparisons, SayWhereTheSeedsAreTooFew) {
   EXPECT_THAT(caution(7), Not(HasSubstr("cannot")));
 }
 
-TEST(Comparisons, MarkThePValuesThatSoFewSeedsCannotMakeSmall) {
+TEST(Comparisons, MarkPValuesThatCannotBeSmall) {
   EXPECT_THAT(text(of_seeds(6)), HasSubstr("| 0.0312 (0.0625) † |\n"));
-  EXPECT_THAT(text(of_seeds(6)), HasSubstr("marks p values that cannot be small."));
+  EXPECT_THAT(text(of_seeds(6)), HasSubstr("marks p values that cannot be small"));
   EXPECT_THAT(text(of_seeds(7)), Not(HasSubstr("†")));
 }
 
 /// Two seeds have no interval. The largest possible interval in points ends at 100.
-TEST(Comparisons, HaveNoIntervalThatCannotBe) {
+TEST(Comparisons, HaveNoImpossibleInterval) {
   const std::string two = csv(of_seeds(2));
   EXPECT_THAT(two, HasSubstr("cwru,10to1,shift,wdcnn,piae-dt,2,10.0000,,,1.0000,0.5,1\n"));
   EXPECT_THAT(text(of_seeds(2)), Not(HasSubstr("95 %")));
@@ -186,7 +186,7 @@ std::vector<AccuracyRow> with_gaps() {
 /// Each pair uses the seeds that both have: 86 - 90 and 95 - 90 at 2to1. The mean over both ratios
 /// uses the same two seeds: (84 + 86) / 2 - 85 and (85 + 95) / 2 - 85. One seed of vae cannot be
 /// tested, so each family has two tests, of none and shift.
-TEST(Comparisons, AreOfTheSeedsThatBothHave) {
+TEST(Comparisons, UseTheSeedsOfBothMethods) {
   const std::string pairs = csv(with_gaps(), "piae-dt");
   EXPECT_THAT(pairs, HasSubstr("cwru,10to1,vae,wdcnn,piae-dt,1,-20.0000,,,,,\n"));
   EXPECT_THAT(pairs, Not(HasSubstr("2to1,vae")));
@@ -209,7 +209,7 @@ TEST(Comparisons, MarkTheMethodsWithFewerSeeds) {
 }
 
 /// A seed of a new ratio for one method does not change existing comparisons.
-TEST(Comparisons, LoseNothingByAPartThatIsAskedForLater) {
+TEST(Comparisons, StayCompleteIfAPartIsRequestedLater) {
   std::vector<AccuracyRow> more = five_seeds();
   more.push_back(row_with("shift", "1to1", {99}));
   more.push_back(row_with("vae", "10to1", {60}));

@@ -67,11 +67,11 @@ TEST_F(ConfidenceTable, ShowsEachMethodWithTheMostWindows) {
                 "|--------|--------------|------------------:|--------------:|--------------:|\n"
                 "| none   | 100:1        |      17.50 ± 3.54 |  65.00 ± 7.07 |             – |\n"
                 "| vae    | 2:1 (3.33:1) |       2.50 ± 0.00 | 100.00 ± 0.00 |             – |\n"));
-  EXPECT_THAT(shown, HasSubstr("read off the same windows"));
-  EXPECT_THAT(shown, Not(HasSubstr("Nothing is said")));
+  EXPECT_THAT(shown, HasSubstr("comes from the same windows"));
+  EXPECT_THAT(shown, Not(HasSubstr("No confidence")));
 }
 
-TEST_F(ConfidenceTable, SaysOfWhomNothingIsKnown) {
+TEST_F(ConfidenceTable, NamesClassifiersWithoutConfidence) {
   add_two_seeds();
   for (const int seed : {0, 1}) {
     scoring::DiagnosisRecord votes = by("nearest", diagnosis("none", "100to1", 0, seed, 18));
@@ -83,7 +83,7 @@ TEST_F(ConfidenceTable, SaysOfWhomNothingIsKnown) {
   EXPECT_THAT(shown,
               HasSubstr("| none by nearest | 100:1        |      10.00 ± 0.00 |   0.00 ± 0.00 |"));
   std::ranges::replace(shown, '\n', ' ');
-  EXPECT_THAT(shown, HasSubstr("Nothing is said of how sure the answers of none by nearest are"));
+  EXPECT_THAT(shown, HasSubstr("No confidence is reported by none by nearest:"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ const std::string contrast_header =
 
 /// The deviation of two values a, b is |a - b| / sqrt(2). Two of four sign patterns are as extreme;
 /// of the two without the zero, both are.
-TEST(Contrast, IsThatWorkedByHand) {
+TEST(Contrast, MatchesHandCalculation) {
   EXPECT_EQ(
       contrast_csv(two_protocols()),
       contrast_header +
@@ -35,9 +35,9 @@ TEST(Contrast, IsThatWorkedByHand) {
           "random,blocked,vae,10to1,92.0000,2.8284,90.0000,0.0000,2,2.0000,,,1.0000,1,1\n");
 }
 
-TEST(Contrast, HasBothSidesAndThenTheirDifference) {
+TEST(Contrast, ShowsBothSidesAndTheirDifference) {
   const std::string text = markdown(contrast_document(two_protocols()));
-  EXPECT_THAT(text, HasSubstr("# cwru: random against blocked\n\nWhat random is worth:"));
+  EXPECT_THAT(text, HasSubstr("# cwru: random against blocked\n\nEffect of random:"));
   EXPECT_THAT(text, HasSubstr("## Accuracy, random against blocked, percent\n\n"
                               "| method | ratio |       random |      blocked |\n"
                               "|--------|-------|-------------:|-------------:|\n"
@@ -63,7 +63,7 @@ TEST(Contrast, KeepsTheMeanOfAMethodWithItsRatios) {
                         "| shift  | 10:1      | 90.00 "));
 }
 
-TEST(Contrast, NamesItsSidesByWhatDiffers) {
+TEST(Contrast, NamesItsSidesByTheDifference) {
   const Side side{
       "results/a", "cwru", signal::Protocol::random, {row_with("none", "100to1", {70})}};
   Side other = side;
@@ -112,7 +112,7 @@ TEST_F(ContrastOfRuns, HasTheCellsOfBothAndTheirMean) {
   EXPECT_THAT(side.rows.back().values, testing::ElementsAre(80, 85));
 }
 
-TEST_F(ContrastOfRuns, WithoutACellThatIsAskedForIsRefused) {
+TEST_F(ContrastOfRuns, RefusesAMissingCell) {
   std::filesystem::remove(other_.diagnosis("vae", "2to1", 1));
   try {
     FAIL() << "took a run with a hole: " << read(all_).rows.size();
@@ -121,7 +121,7 @@ TEST_F(ContrastOfRuns, WithoutACellThatIsAskedForIsRefused) {
   }
 }
 
-TEST_F(ContrastOfRuns, OfAPartHasAllThatBothHold) {
+TEST_F(ContrastOfRuns, CoversAllCellsThatBothHold) {
   EXPECT_EQ(contrast_csv(read(part_)), contrast_csv(read(all_)));
   std::filesystem::remove(other_.diagnosis("vae", "2to1", 1));
   const Contrast contrast = read(part_);
@@ -132,12 +132,12 @@ TEST_F(ContrastOfRuns, OfAPartHasAllThatBothHold) {
               testing::ElementsAre(HasSubstr("vae: 10:1 of seeds 0, 1, and 2:1 of seed 0.")));
 }
 
-TEST_F(ContrastOfRuns, LeavesOutWhatIsOutOfDateOnEitherSide) {
+TEST_F(ContrastOfRuns, LeavesOutStaleCellsOfBothSides) {
   EXPECT_THAT(contrast_csv(read(part_, {"seed0/vae", "seed1/vae"})), Not(HasSubstr("vae")));
 }
 
 /// A contrast does not need scores.
-TEST_F(ContrastOfRuns, NeedsNoScores) {
+TEST_F(ContrastOfRuns, DoesNotNeedScores) {
   std::filesystem::remove(layout_.score("vae", 1));
   EXPECT_EQ(read(all_).with.rows.size(), 4U);
 }

@@ -82,7 +82,7 @@ TEST_F(DecisionsTable, HasAllMethodsAndRatiosInItsCsv) {
                        "cwru,vae,wdcnn,2to1,10,2,3,100.0000,0.0000,,,100.0000,0.0000,,\n");
 }
 
-TEST_F(DecisionsTable, ShowsEachMethodWithTheMostWindowsAndADashWhereNothingIsDecided) {
+TEST_F(DecisionsTable, ShowsEachMethodWithTheMostWindows) {
   add_two_seeds();
   const std::string shown = text();
   EXPECT_THAT(shown,
@@ -96,18 +96,19 @@ TEST_F(DecisionsTable, ShowsEachMethodWithTheMostWindowsAndADashWhereNothingIsDe
           "| vae                 | 2:1 (3.33:1) |  95.00 ± 0.00 | 100.00 ± 0.00 |          – |\n"
           "| decisions of a seed |              |            30 |             3 |          – |\n"));
   EXPECT_THAT(shown, Not(HasSubstr("are left out")));
-  EXPECT_THAT(shown, HasSubstr("neighbours among the"));
+  EXPECT_THAT(shown, HasSubstr("successive among the"));
 }
 
-TEST_F(DecisionsTable, SaysNothingOfNeighboursWithTheBlockedSplit) {
+TEST_F(DecisionsTable, DoesNotMentionSuccessiveWindowsForTheBlockedSplit) {
   scoring::DiagnosisRecord record = record_of("none", "100to1", 0, 0, 12);
   record.protocol = signal::Protocol::blocked;
   add(record);
   save_tested_windows(layout_, "cwru", 0, labels_, places_);
-  EXPECT_THAT(text(), testing::AllOf(HasSubstr("Decisions over"), Not(HasSubstr("neighbours"))));
+  EXPECT_THAT(text(),
+              testing::AllOf(HasSubstr("Decisions over"), Not(HasSubstr("successive among"))));
 }
 
-TEST_F(DecisionsTable, IsOfEachClassifierWithTheBarBesideIt) {
+TEST_F(DecisionsTable, CoversEachClassifierAndTheBaseline) {
   add_two_seeds();
   for (const int seed : {0, 1}) {
     add(by("nearest", record_of("none", "100to1", 0, seed, 20)));
@@ -127,7 +128,7 @@ TEST_F(DecisionsTable, MarksMeansOfFewerSeeds) {
   EXPECT_THAT(text(), testing::AllOf(HasSubstr(" 50.00 ‡ |"), HasSubstr("‡ marks")));
 }
 
-TEST_F(DecisionsTable, OfARunWithoutTestWindowsIsLeftOutWithALine) {
+TEST_F(DecisionsTable, IsLeftOutWithALineWithoutTestWindows) {
   add_two_seeds();
   for (const int seed : {0, 1}) std::filesystem::remove(layout_.windows("A", seed));
   EXPECT_EQ(csv(), decisions_header);

@@ -60,14 +60,14 @@ class DemoAnswers : public testing::Test {
   DemoCells cells_;
 };
 
-TEST_F(DemoAnswers, ArePrintedInOneLineEach) {
+TEST_F(DemoAnswers, TakeOneLineEach) {
   EXPECT_EQ(text(),
             "Three questions about a simulated bearing (percent correct, 3 seeds):\n\n"
             "1. A few windows of each fault are known. What helps a classifier of waveforms?\n"
-            "   shift (74 -> 98 %), not piae-dt (72 %). One of spectra needs no help: 100 %.\n"
+            "   shift (74 -> 98 %), not piae-dt (72 %). Spectra do not need help: 100 %.\n"
             "2. Faults are known at 1800 rpm, the machine runs at 1200 rpm. What helps?\n"
             "   strike-twin (66 -> 99 % by wdcnn-spectra); shift reaches 79 %.\n"
-            "3. No fault was ever recorded. Can one be named all the same?\n"
+            "3. No fault was ever recorded. Can one be diagnosed anyway?\n"
             "   Yes: 100 % correct by exclusion-rule; recording.txt: outer, correct.\n");
 }
 
@@ -85,11 +85,11 @@ TEST_F(DemoAnswers, HaveNoLineBeyond80Characters) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
-TEST_F(DemoAnswers, SayWhatTheNumbersSay) {
+TEST_F(DemoAnswers, FollowTheNumbers) {
   change(cells_.same_speed, "shift", "wdcnn", {99, 79, 98});  // 4 points in one seed
   EXPECT_THAT(text(), HasSubstr("nothing: 74 % alone, shift (92 %) and piae-dt (72 %)."));
   change(cells_.same_speed, "none", "nearest", {80, 80, 80});
-  EXPECT_THAT(text(), HasSubstr("One of spectra reaches\n   80 % alone."));
+  EXPECT_THAT(text(), HasSubstr("Spectra reach 80 %\n   alone."));
   change(cells_.other_speed, "shift", "wdcnn-spectra", {100, 100, 100});
   EXPECT_THAT(text(), HasSubstr("shift (66 -> 100 % by wdcnn-spectra); strike-twin reaches 99 %."));
   change(cells_.other_speed, "none", "wdcnn-spectra", {99, 99, 99});
@@ -98,11 +98,11 @@ TEST_F(DemoAnswers, SayWhatTheNumbersSay) {
 
 TEST_F(DemoAnswers, DenyADiagnosisThatIsWrongOrSeldomCorrect) {
   cells_.recording.correct = false;
-  EXPECT_THAT(text(), HasSubstr("Not well: 100 % correct"));
+  EXPECT_THAT(text(), HasSubstr("Not reliably: 100 % correct"));
   EXPECT_THAT(text(), HasSubstr("outer, wrong."));
   cells_.recording.correct = true;
   change(cells_.no_fault, "none", "exclusion-rule", {79});
-  EXPECT_THAT(text(), HasSubstr("Not well: 79 % correct"));
+  EXPECT_THAT(text(), HasSubstr("Not reliably: 79 % correct"));
 }
 
 TEST_F(DemoAnswers, NeedTheCellsOfAllQuestions) {

@@ -21,7 +21,7 @@ Document document() {
           {{"one", "Table one", "A note, 5 %.", table()}, {"two", "Table two", "", table()}}};
 }
 
-TEST(Document, IsWrittenAsMarkdown) {
+TEST(Document, WritesMarkdown) {
   EXPECT_EQ(markdown(document()), "# Title of my_set\n\n" + std::string(99, 'w') +
                                       "\nover the end.\n\nSecond.\n\n## Table one\n\n"
                                       "A note, 5 %.\n\n" +
@@ -29,7 +29,7 @@ TEST(Document, IsWrittenAsMarkdown) {
                                       table().markdown());
 }
 
-TEST(Document, HasNoLineOfMarkdownThatIsWiderThan100Characters) {
+TEST(Document, WritesMarkdownOfAtMost100Characters) {
   text::Table wide({"class", std::string(45, 'a'), std::string(45, 'b')}, 1);
   wide.row({"IR", "1", "2"});
   const std::string text = markdown({"key", "Title", {}, {{"wide", "Wide", "", wide}}});
@@ -37,7 +37,7 @@ TEST(Document, HasNoLineOfMarkdownThatIsWiderThan100Characters) {
   EXPECT_THAT(text, HasSubstr("|\n\n| class | " + std::string(45, 'b') + " |\n"));
 }
 
-TEST(Document, IsWrittenAsLatexToBeIncluded) {
+TEST(Document, WritesLatexToInclude) {
   const std::string text = latex(document());
   EXPECT_THAT(text, testing::StartsWith("% Title of my\\_set\n"
                                         "% For \\input. In the preamble: "

@@ -52,7 +52,7 @@ class Gaps : public testing::Test {
   run::Results results_;
 };
 
-TEST_F(Gaps, AreNotSpokenOfWhereThereAreNone) {
+TEST_F(Gaps, AreNotMentionedIfThereAreNone) {
   add_all_but_vae();
   add("vae", "10to1", {0, 1, 2});
   add("vae", "1to1", {0, 1, 2});
@@ -61,7 +61,7 @@ TEST_F(Gaps, AreNotSpokenOfWhereThereAreNone) {
   EXPECT_EQ(left_out_line(results_), "");
 }
 
-TEST_F(Gaps, NameTheSeedsOfAMethodThatHasFewer) {
+TEST_F(Gaps, NameTheSeedsOfAMethodWithFewer) {
   add_all_but_vae();
   add("vae", "10to1", {0, 2});
   add("vae", "1to1", {0, 2});
@@ -69,7 +69,7 @@ TEST_F(Gaps, NameTheSeedsOfAMethodThatHasFewer) {
   EXPECT_THAT(paragraphs(), ElementsAre(HasSubstr("these have only: vae: seeds 0, 2. Each")));
 }
 
-TEST_F(Gaps, NameTheRatiosOfAMethodThatHasFewer) {
+TEST_F(Gaps, NameTheRatiosOfAMethodWithFewer) {
   add_all_but_vae();
   add("vae", "1to1", {0, 1, 2});
   add_scores("vae", {0, 1, 2});
@@ -79,7 +79,7 @@ TEST_F(Gaps, NameTheRatiosOfAMethodThatHasFewer) {
               ElementsAre(HasSubstr("vae: 10:1 of seed 1, and 1:1 of seeds 0 to 2. Each")));
 }
 
-TEST_F(Gaps, NameMethodsThatHaveTheSameTogether) {
+TEST_F(Gaps, GroupMethodsWithTheSameGaps) {
   add("none", "100to1", {0, 1, 2});
   for (const char* method : {"smote", "vae"}) {
     add(method, "1to1", {1});
@@ -89,25 +89,25 @@ TEST_F(Gaps, NameMethodsThatHaveTheSameTogether) {
   EXPECT_THAT(paragraphs(), ElementsAre(HasSubstr("smote, vae: seed 1. Each")));
 }
 
-TEST_F(Gaps, NameScoresThatAreMissing) {
+TEST_F(Gaps, NameMissingScores) {
   add_all_but_vae();
   add("vae", "10to1", {0, 1, 2});
   add("vae", "1to1", {0, 1, 2});
   add_scores("vae", {0, 1});
   EXPECT_THAT(paragraphs(),
-              ElementsAre("The quality of windows is known only of vae: seeds 0, 1."));
+              ElementsAre("The quality of windows is known only for vae: seeds 0, 1."));
 }
 
-TEST_F(Gaps, NameWhatWasLeftOut) {
+TEST_F(Gaps, NameLeftOutCells) {
   add_all_but_vae();
   results_.left_out = {
       {"smote", "10to1", 3}, {"smote", "1to1", 3}, {"vae", "", 3}, {"vae", "1to1", 4}};
   EXPECT_EQ(left_out_line(results_),
-            "left out, since they are damaged, or of other settings or inputs: cells "
+            "left out, because they are damaged or were made with other settings or inputs: cells "
             "of smote: "
             "seed 3; vae: seeds 3, 4");
   EXPECT_THAT(paragraphs().back(),
-              AllOf(StartsWith("Left out, since"), HasSubstr("seeds 3, 4. To")));
+              AllOf(StartsWith("Left out, because"), HasSubstr("seeds 3, 4. To")));
 }
 
 }  // namespace

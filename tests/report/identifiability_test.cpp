@@ -26,7 +26,7 @@ Identification identification(std::int64_t seed) {
   return one;
 }
 
-TEST(Identifiability, IsOfAllWindowsAndOfEachClass) {
+TEST(Identifiability, CoversAllWindowsAndEachClass) {
   const auto rows = identifiability_rows({identification(0), identification(1)});
   ASSERT_EQ(rows.size(), 6U);
   EXPECT_EQ(rows[0].class_name, "all");
@@ -57,7 +57,7 @@ TEST(Identifiability, IsShownInTables) {
   EXPECT_THAT(text, HasSubstr("## Scatter of stiffness, MN/m"));
 }
 
-TEST(Identifiability, SaysOfWhichSeedsEachMethodIs) {
+TEST(Identifiability, ListsTheSeedsOfEachMethod) {
   std::vector<Identification> all{identification(0), identification(1), identification(4)};
   all.push_back(identification(1));
   all.back().method = "ae";
@@ -66,7 +66,7 @@ TEST(Identifiability, SaysOfWhichSeedsEachMethodIs) {
   EXPECT_THAT(text, HasSubstr("piae-dt: 3 seeds (0, 1, 4), ae: 1 seed (1)."));
 }
 
-TEST(Identifiability, NeedsTheTruth) {
+TEST(Identifiability, NeedsTrueValues) {
   Identification without = identification(0);
   without.windows.parameters.clear();
   EXPECT_THAT([&] { identifiability_rows({without}); },

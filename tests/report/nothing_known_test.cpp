@@ -18,23 +18,23 @@ AccuracyRow judged_by(const std::string& classifier, AccuracyRow row) {
   return row;
 }
 
-TEST(NothingKnown, TheMostAccurateOfEachKindIsNamed) {
+TEST(NothingKnown, NamesTheMostAccurateOfEachKind) {
   EXPECT_EQ(most_accurate_without_known({row_with("vae", "10to1", {60, 70}),
                                          judged_by("nearest", row_with("vae", "1to1", {80, 82})),
                                          row_with("smote", "1to1", {75, 76}),
                                          judged_by("lines", row_with("none", "100to1", {70, 71})),
                                          judged_by("edges", row_with("none", "100to1", {50, 51})),
                                          row_with("oracle", "1to1", {99, 98})}),
-            "Right in most test windows: with generated windows vae by nearest (81.0 %, 1:1), by "
-            "a rule lines (70.5 %) and with real windows in their place oracle by wdcnn (98.5 %, "
+            "Most accurate: with generated windows vae by nearest (81.0 %, 1:1), by "
+            "a rule lines (70.5 %) and with real windows instead oracle by wdcnn (98.5 %, "
             "1:1).");
   EXPECT_EQ(most_accurate_without_known({judged_by("lines", row_with("none", "100to1", {70}))}),
-            "Right in most test windows: by a rule lines (70.0 %).");
+            "Most accurate: by a rule lines (70.0 %).");
   EXPECT_EQ(most_accurate_without_known({}), "");
 }
 
 /// Without known fault windows a network cannot be trained on `none`, so gains do not exist.
-TEST(NothingKnown, IsTheVerdictOfARunWithoutKnownFaults) {
+TEST(NothingKnown, GivesTheVerdictWithoutKnownFaults) {
   run::Results results;
   run::Diagnosis& cell = results.diagnoses.emplace_back();
   const std::vector<AccuracyRow> rows{row_with("oracle", "1to1", {99, 98})};
@@ -43,8 +43,8 @@ TEST(NothingKnown, IsTheVerdictOfARunWithoutKnownFaults) {
   cell.any_known = false;
   EXPECT_EQ(conditions_note(results), "No fault window was known.");
   EXPECT_THAT(verdict(results, rows),
-              testing::ElementsAre("Right in most test windows: with real windows in their place "
-                                   "oracle by wdcnn (98.5 %, 1:1)."));
+              testing::ElementsAre(
+                  "Most accurate: with real windows instead oracle by wdcnn (98.5 %, 1:1)."));
 }
 
 class RunWithoutKnownFaults : public StoredRun {
@@ -58,7 +58,7 @@ class RunWithoutKnownFaults : public StoredRun {
 };
 
 /// `none` has cells by one classifier, the methods by another.
-TEST_F(RunWithoutKnownFaults, HasTablesThatSaySo) {
+TEST_F(RunWithoutKnownFaults, SaysSoInItsTables) {
   for (const int seed : {0, 1}) {
     add_without_known(diagnosis("oracle", "2to1", 145, seed, 19));
     add_without_known(by("wdcnn-spectrum", diagnosis("none", "100to1", 0, seed, 12 + seed)));

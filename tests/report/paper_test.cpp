@@ -19,7 +19,7 @@ TEST(Groups, AreThePapersComparisonAndItsAblation) {
   EXPECT_TRUE(groups[1].are_models);
 }
 
-TEST(Groups, TakeTheAblationsOfTheOutlookAmongThePapers) {
+TEST(Groups, IncludeTheAblationsOfTheOutlook) {
   const auto groups = method_groups({"smote", "piae-dt", "ae", "piae-dt-tcn"});
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_THAT(groups[0].methods, ElementsAre("smote", "piae-dt"));
@@ -27,7 +27,7 @@ TEST(Groups, TakeTheAblationsOfTheOutlookAmongThePapers) {
   EXPECT_EQ(method_groups({"piae-dt", "piae-dt-transformer"}).size(), 2U);
 }
 
-TEST(Groups, TakeAnyOtherMethodIntoTheComparisonInTheOrderAskedFor) {
+TEST(Groups, AddOtherMethodsInTheRequestedOrder) {
   const auto groups = method_groups({"shift", "piae-dt", "toy", "dynamics"});
   ASSERT_EQ(groups.size(), 1U);
   EXPECT_THAT(groups[0].methods, ElementsAre("shift", "piae-dt", "toy", "dynamics"));
@@ -47,7 +47,7 @@ std::string text_of(const Place& place) {
   return section.title + "|" + section.note;
 }
 
-TEST(References, OfThePapersOwnDatasets) {
+TEST(References, NameThePapersTablesForItsDatasets) {
   const PaperReference cwru("cwru");
   EXPECT_EQ(text_of(cwru.table(&PaperDataset::baseline_table)), "T (the paper's Table 6)|N");
   EXPECT_EQ(text_of(cwru.table(&PaperDataset::methods_table)), "T (the paper's Table 8)|N");
@@ -71,12 +71,12 @@ TEST(References, OfThePapersOwnDatasets) {
 }
 
 // A title is one line of at most 100 characters, so longer words go into the note.
-TEST(References, OfAStandInSaySo) {
+TEST(References, NameAStandIn) {
   const PaperReference hit_sm("hit-sm");
   EXPECT_EQ(text_of(hit_sm.table(&PaperDataset::methods_table)),
-            "T|In the place of the paper's Table 9; hit-sm stands in for HFHP. N");
+            "T|Replaces the paper's Table 9; hit-sm stands in for HFHP. N");
   EXPECT_EQ(text_of(hit_sm.figure(18)),
-            "T|In the place of the paper's Fig. 18; hit-sm stands in for HFHP. N");
+            "T|Replaces the paper's Fig. 18; hit-sm stands in for HFHP. N");
   EXPECT_EQ(text_of(hit_sm.none()), "T|hit-sm stands in for HFHP. N");
   EXPECT_EQ(hit_sm.none().of({"key", "T", "", text::Table({}, 0)}).note,
             "hit-sm stands in for HFHP.");
@@ -85,7 +85,7 @@ TEST(References, OfAStandInSaySo) {
   EXPECT_FALSE(PaperReference("cwru-as-published").counterpart()->own);
 }
 
-TEST(References, AreNotMadeForOtherDatasets) {
+TEST(References, AreEmptyForOtherDatasets) {
   const PaperReference simulated("simulated");
   EXPECT_EQ(simulated.counterpart(), std::nullopt);
   EXPECT_EQ(text_of(simulated.table(&PaperDataset::methods_table)), "T|N");

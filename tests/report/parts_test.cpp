@@ -68,7 +68,7 @@ TEST_F(Parts, AreComparedWithTheMethodSeedBySeed) {
                 "3,-25.0000,5.0000,-37.4207,-12.5793\n");
 }
 
-TEST_F(Parts, AreComparedAtTheSeedsThatBothHave) {
+TEST_F(Parts, AreComparedAtCommonSeeds) {
   add_three_seeds();
   std::filesystem::remove(layout_.diagnosis("strike-twin", "1to1", 2, "nearest"));
   const std::string rows = csv(sweep_of("edges=known", "0"));
@@ -76,7 +76,7 @@ TEST_F(Parts, AreComparedAtTheSeedsThatBothHave) {
   EXPECT_THAT(rows, HasSubstr(",1to1,3,60.0000,10.0000,35.1586,84.8414,2,-27.5000,3.5355,,\n"));
 }
 
-TEST_F(Parts, ThatTheMethodIsWithoutAnywayAreItsOwnCells) {
+TEST_F(Parts, UseTheMethodsOwnCellsForItsDefaults) {
   add_three_seeds();
   SweepOptions options = sweep_of("edges=known tilt=0", "0 1 2");
   options.centre = {"tilt=0"};
@@ -84,13 +84,13 @@ TEST_F(Parts, ThatTheMethodIsWithoutAnywayAreItsOwnCells) {
   EXPECT_THAT(text(options), HasSubstr("| tilt=0 (as in the grid) |  85.0 ± 5.0 |"));
 }
 
-TEST_F(Parts, ForPeopleAreATableForEachRatio) {
+TEST_F(Parts, HaveATableForEachRatio) {
   add_three_seeds();
   add_cell("strike-twin", "2to1", 0, 15);
   add_cell("sweep@strike-twin/edges-known", "2to1", 0, 16);
   const std::string shown = text(sweep_of("edges=known", "0 1 2"));
   EXPECT_THAT(shown, HasSubstr("# What each part of strike-twin is worth on cwru\n"));
-  EXPECT_THAT(shown, HasSubstr("percent by nearest where one setting of strike-twin is moved"));
+  EXPECT_THAT(shown, HasSubstr("percent by nearest, with one setting of strike-twin moved"));
   EXPECT_THAT(shown, HasSubstr("## At 2:1 (3.33:1)\n"));
   EXPECT_THAT(
       shown,
@@ -104,11 +104,11 @@ TEST_F(Parts, ForPeopleAreATableForEachRatio) {
   EXPECT_THAT(shown, Not(HasSubstr("‡")));
   std::filesystem::remove(layout_.diagnosis("strike-twin", "1to1", 2, "nearest"));
   EXPECT_THAT(text(sweep_of("edges=known", "0")),
-              AllOf(HasSubstr("| as in the grid ‡ |  82.5 ± 3.5 |"), HasSubstr("‡ marks what")));
+              AllOf(HasSubstr("| as in the grid ‡ |  82.5 ± 3.5 |"), HasSubstr("‡ marks numbers")));
 }
 
 /// Both faults become one fault type, so a window taken for the other fault is correct by type.
-TEST_F(Parts, SayWhatIsRightByKindWhereKindsAreTold) {
+TEST_F(Parts, ShowAccuracyByKindIfConditionsDiffer) {
   for (const std::string folder : {"strike-twin", "sweep@strike-twin/edges-known"}) {
     scoring::DiagnosisRecord told = record("1to1", 0, folder == "strike-twin" ? 16 : 10);
     told.info.conditions = {
@@ -122,12 +122,12 @@ TEST_F(Parts, SayWhatIsRightByKindWhereKindsAreTold) {
               AllOf(HasSubstr(",kind_mean,kind_std,kind_ci95_low,kind_ci95_high\n"),
                     HasSubstr(",edges,known,0,1to1,1,50.0000,,,,1,-30.0000,,,,95.0000,,,\n")));
   const std::string shown = text(sweep_of("edges=known", "0"));
-  EXPECT_THAT(shown, HasSubstr("By kind: a window counts as right"));
+  EXPECT_THAT(shown, HasSubstr("By kind: a window counts as correct"));
   EXPECT_THAT(shown,
               HasSubstr("| edges=known    |     50.0 |             – |    95.0 |      -30.0 |"));
 }
 
-TEST_F(Parts, NeedTheMethodAsItIs) {
+TEST_F(Parts, NeedTheMethodWithItsOwnSettings) {
   add_three_seeds();
   std::filesystem::remove(layout_.diagnosis("strike-twin", "1to1", 2, "nearest"));
   run::Results results;
@@ -137,7 +137,7 @@ TEST_F(Parts, NeedTheMethodAsItIs) {
               HasSubstr("method strike-twin by nearest, ratio 1to1, seed 2: "));
 }
 
-TEST_F(Parts, OfWhatIsNoMethodOrClassifierAreRefused) {
+TEST_F(Parts, RefuseAnUnknownMethodOrClassifier) {
   SweepOptions options = sweep_of("edges=known", "0");
   options.method = "strike";
   EXPECT_THROW(resolve(options), Error);

@@ -49,7 +49,7 @@ TEST_F(PublishedTables, AreLookedUpByTheNamesOfTheGrid) {
   EXPECT_THAT(published.baseline_runs("cwru"), ElementsAre(61.8, 62.0));
 }
 
-TEST_F(PublishedTables, AreSilentOnWhatThePaperHasNot) {
+TEST_F(PublishedTables, HaveNoValueThatThePaperLacks) {
   const Published published(folder_.path());
   EXPECT_EQ(published.percent("hit-sm", "none", "100to1"), std::nullopt);
   EXPECT_EQ(published.percent("cwru", "none", "1to1"), std::nullopt);
@@ -57,7 +57,7 @@ TEST_F(PublishedTables, AreSilentOnWhatThePaperHasNot) {
   EXPECT_THAT(published.baseline_runs("hit-sm"), IsEmpty());
 }
 
-TEST_F(PublishedTables, MissingFileIsNamed) {
+TEST_F(PublishedTables, NameAMissingFile) {
   std::filesystem::remove(folder_.path() / methods_);
   try {
     Published published(folder_.path());
@@ -68,19 +68,19 @@ TEST_F(PublishedTables, MissingFileIsNamed) {
   }
 }
 
-TEST_F(PublishedTables, NumbersMustBePercentages) {
+TEST_F(PublishedTables, RefuseNumbersThatAreNotPercentages) {
   for (const std::string number : {"x", "", "80.0x", "-1", "100.1", "nan", "inf", " 80"}) {
     expect_refused(methods_, "dataset,method,50to1\n# c\ncwru,vae," + number + "\n",
                    ", line 3: '" + number + "' is not a percentage");
   }
 }
 
-TEST_F(PublishedTables, RowsMustBeAsLongAsTheHeader) {
+TEST_F(PublishedTables, RefuseRowsOfAnotherLength) {
   expect_refused(methods_, "dataset,method,50to1\ncwru,vae\n",
                  ", line 2: has 2 fields, but the header has 3");
 }
 
-TEST_F(PublishedTables, HeadersMustBeKnown) {
+TEST_F(PublishedTables, RefuseAnUnknownHeader) {
   expect_refused(methods_, "dataset,model,50to1\ncwru,vae,1\n",
                  ", line 1: field 2 of the header must be 'method'");
   expect_refused(methods_, "dataset\ncwru\n", ", line 1: field 2 of the header must be 'method'");
@@ -89,28 +89,28 @@ TEST_F(PublishedTables, HeadersMustBeKnown) {
                  "2to1, 1to1");
 }
 
-TEST_F(PublishedTables, BaselineHeaderMustBeKnown) {
+TEST_F(PublishedTables, RefuseAnUnknownBaselineHeader) {
   expect_refused(baseline_, "dataset,run2,average\ncwru,1,1\n",
                  ", line 1: field 2 of the header must be 'run1'");
 }
 
-TEST_F(PublishedTables, ModelsMustBeKnown) {
+TEST_F(PublishedTables, RefuseAnUnknownModel) {
   expect_refused(ablation_, "dataset,model,50to1\ncwru,model6,1\n",
                  ", line 2: unknown model 'model6'; known are model1 to model5");
 }
 
-TEST_F(PublishedTables, FiguresMustNotContradictEachOther) {
+TEST_F(PublishedTables, RefuseContradictingFigures) {
   expect_refused(ablation_, "dataset,model,50to1\ncwru,model1,81\n",
                  ", line 2: contradicts the figure for piae-dt at 50to1 in " +
                      (folder_ / methods_).string() + ", line 3");
 }
 
-TEST_F(PublishedTables, DatasetsMustNotComeTwice) {
+TEST_F(PublishedTables, RefuseADatasetTwice) {
   expect_refused(baseline_, "dataset,run1,average\ncwru,1,1\ncwru,1,1\n",
                  ", line 3: names dataset cwru again");
 }
 
-TEST_F(PublishedTables, FilesMustHoldATable) {
+TEST_F(PublishedTables, RefuseAFileWithoutATable) {
   expect_refused(baseline_, "# nothing\n", ": holds no table");
 }
 

@@ -17,7 +17,7 @@ const std::string ranks_header =
 /// Worked by hand. At 10to1 all five seeds have the same order: p is 1 / 6^4. At 2to1 shift is
 /// first in three: chi squared 7.6, F 12.667, and for (2, 8) degrees of freedom p is (1 + F /
 /// 4)^-4. The critical difference is 2.3437 sqrt(12 / 30).
-TEST(Ranks, AreThoseWorkedByHand) {
+TEST(Ranks, MatchHandCalculation) {
   EXPECT_EQ(ranks_csv({rank_methods(five_seeds())}),
             ranks_header +
                 "cwru,10to1,none,wdcnn,5,3.0000,0.000771605,1.4823\n"
@@ -39,7 +39,7 @@ std::string note(const std::vector<AccuracyRow>& rows) {
   return rank_sections(rank_methods(rows)).front().note;
 }
 
-TEST(Ranks, HaveARatioAColumn) {
+TEST(Ranks, HaveAColumnForEachRatio) {
   EXPECT_THAT(ranks_text(five_seeds()), HasSubstr("## Average ranks on cwru\n\n"));
   EXPECT_THAT(ranks_text(five_seeds()),
               HasSubstr("| method  |     10:1 | 2:1 (3.33:1) | all cells |\n"
@@ -50,43 +50,43 @@ TEST(Ranks, HaveARatioAColumn) {
                         "| p       | 0.000772 |      0.00332 |           |\n"));
 }
 
-TEST(Ranks, AreNotForTheCeiling) {
+TEST(Ranks, ExcludeTheCeiling) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("oracle", "10to1", {99, 99, 99, 99, 99}));
   EXPECT_EQ(ranks_csv({rank_methods(rows)}), ranks_csv({rank_methods(five_seeds())}));
 }
 
-TEST(Ranks, LeaveOutAMethodRatherThanTheCellsOfTheOthers) {
+TEST(Ranks, LeaveOutAMethodRatherThanOtherCells) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("vae", "10to1", {60}));
   EXPECT_EQ(ranks_csv({rank_methods(rows)}), ranks_csv({rank_methods(five_seeds())}));
-  EXPECT_THAT(note(rows), HasSubstr("left out, since they have too few: vae."));
+  EXPECT_THAT(note(rows), HasSubstr("left out, because they have too few: vae."));
   EXPECT_THAT(note(five_seeds()), Not(HasSubstr("left out")));
 }
 
 /// Four methods at seeds 1 to 4 have more cells than three methods at all five.
-TEST(Ranks, AreOfTheSeedsThatMostMethodsHave) {
+TEST(Ranks, UseTheSeedsThatMostMethodsHave) {
   std::vector<AccuracyRow> rows = five_seeds();
   rows.push_back(row_with("vae", "10to1", {60, 60, 60, 60}, 1));
   rows.push_back(row_with("vae", "2to1", {60, 60, 60, 60}, 1));
   EXPECT_THAT(ranks_csv({rank_methods(rows)}), HasSubstr("cwru,10to1,vae,wdcnn,4,4.0000,"));
-  EXPECT_THAT(note(rows), HasSubstr("Ranks are of the cells that all of these methods have."));
+  EXPECT_THAT(note(rows), HasSubstr("Ranks use the cells that all of these methods have."));
 }
 
 /// With two seeds and three methods p is at least 1 / 3!, and ranks differ by at most 2.
-TEST(Ranks, SayWhatSoFewSeedsCannotShow) {
+TEST(Ranks, ReportWhatFewSeedsCannotShow) {
   const std::vector<AccuracyRow> rows{row_with("none", "100to1", {70, 70}),
                                       row_with("shift", "10to1", {81, 82}),
                                       row_with("piae-dt", "10to1", {80, 80})};
   EXPECT_THAT(ranks_text(rows), HasSubstr("| p       | 0.167 † |"));
   EXPECT_THAT(note(rows), HasSubstr("more than 2.34 differ significantly at 0.05 (Nemenyi; Demsar "
-                                    "2006), which those of 3 methods cannot."));
+                                    "2006), but ranks of 3 methods cannot differ that much."));
   EXPECT_THAT(note(rows),
               HasSubstr("† marks p values that so few seeds cannot make smaller than 0.05."));
   EXPECT_THAT(ranks_text(five_seeds()), Not(HasSubstr("†")));
 }
 
-TEST(Ranks, OfOneSeedHaveNoTest) {
+TEST(Ranks, HaveNoTestForOneSeed) {
   const std::vector<AccuracyRow> rows{row_with("shift", "10to1", {81}),
                                       row_with("piae-dt", "10to1", {80})};
   EXPECT_EQ(ranks_csv({rank_methods(rows)}), ranks_header +
@@ -98,7 +98,7 @@ TEST(Ranks, OfOneSeedHaveNoTest) {
   EXPECT_THAT(ranks_text(rows), Not(HasSubstr("| p ")));
 }
 
-TEST(Ranks, OfNothingAreEmpty) {
+TEST(Ranks, AreEmptyWithoutRows) {
   const std::vector<AccuracyRow> alone{row_with("piae-dt", "10to1", {1, 2})};
   EXPECT_EQ(ranks_csv({rank_methods(alone)}), ranks_header);
   EXPECT_THAT(rank_sections(rank_methods(alone)), IsEmpty());

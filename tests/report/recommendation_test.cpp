@@ -20,7 +20,7 @@ std::vector<std::string> methods_by_effort(const Recommendation& of) {
   return names;
 }
 
-TEST(Effort, IsWhatMustBeMadeOrTrained) {
+TEST(Effort, CountsWhatMustBeMadeOrTrained) {
   EXPECT_EQ(effort_of("none", "nearest"), Effort::nothing);
   EXPECT_EQ(effort_of("none", "envelope-rule"), Effort::nothing);
   EXPECT_EQ(effort_of("shift", "nearest"), Effort::windows);
@@ -33,7 +33,7 @@ TEST(Effort, IsWhatMustBeMadeOrTrained) {
   EXPECT_LT(Effort::windows, Effort::classifier);
 }
 
-TEST(Recommendation, IsTheBestWhereWhatTakesLessIsSignificantlyWorse) {
+TEST(Recommendation, IsTheBestIfLessEffortIsSignificantlyWorse) {
   const Recommendation of = recommended(seven_seeds(worse));
   EXPECT_EQ(of.compared, 3U);
   EXPECT_THAT(methods_by_effort(of), ElementsAre("none/wdcnn", "shift/wdcnn", "vae/wdcnn"));
@@ -46,7 +46,7 @@ TEST(Recommendation, IsTheBestWhereWhatTakesLessIsSignificantlyWorse) {
   EXPECT_FALSE(of.by_effort[2].behind.has_value());
 }
 
-TEST(Recommendation, IsWhatTakesLessWhereItIsNotSignificantlyWorse) {
+TEST(Recommendation, IsLessEffortIfNotSignificantlyWorse) {
   const Recommendation of = recommended(seven_seeds(as_good));
   EXPECT_EQ(of.most_accurate().row.method, "vae");
   EXPECT_EQ(of.recommended().row.method, "shift");
@@ -54,7 +54,7 @@ TEST(Recommendation, IsWhatTakesLessWhereItIsNotSignificantlyWorse) {
 }
 
 /// Six seeds give no p below 2 / 2^6, which the correction for two tests makes 0.0625.
-TEST(Recommendation, OfTooFewSeedsIsTheBestAndSaysThatTheyCannotTell) {
+TEST(Recommendation, IsTheBestOfTooFewSeedsWithAWarning) {
   std::vector<AccuracyRow> rows;
   for (const AccuracyRow& row : seven_seeds(as_good)) {
     rows.push_back(row_with(row.method, row.ratio, {row.values.begin(), row.values.end() - 1}));
@@ -71,7 +71,7 @@ TEST(Recommendation, OfTooFewSeedsIsTheBestAndSaysThatTheyCannotTell) {
   EXPECT_EQ(of_one.seeds_to_decide(), 6U);
 }
 
-TEST(Recommendation, OfEquallyAccurateOnesIsThatWhichTakesLeast) {
+TEST(Recommendation, IsTheLeastEffortOfEquallyAccurateMethods) {
   const Recommendation of =
       recommended({row_with("vae", "2to1", {100, 100}), row_with("shift", "2to1", {100, 100}),
                    by_classifier_of("nearest", row_with("shift", "2to1", {100, 100})),
@@ -83,7 +83,7 @@ TEST(Recommendation, OfEquallyAccurateOnesIsThatWhichTakesLeast) {
 }
 
 /// More tests would need more seeds, so only the most accurate of each effort is tested.
-TEST(Recommendation, AsksTheMostAccurateOfEachEffortAlone) {
+TEST(Recommendation, ComparesTheMostAccurateOfEachEffort) {
   std::vector<AccuracyRow> rows = seven_seeds(worse);
   for (const char* const method : {"smote", "oversample", "resample"}) {
     rows.push_back(row_with(method, "2to1", {60, 60, 60, 60, 60, 60, 60}));
@@ -102,7 +102,7 @@ TEST(Recommendation, IsNeverACeiling) {
 }
 
 /// Keeps the largest block without missing cells: two pairs at seven seeds, then three at six.
-TEST(Recommendation, ComparesWhatHasTheSameSeeds) {
+TEST(Recommendation, ComparesOnlyTheSameSeeds) {
   std::vector<AccuracyRow> rows = seven_seeds(worse);
   rows[2] = row_with("vae", "2to1", {100});
   const Recommendation of = recommended(rows);
@@ -116,7 +116,7 @@ TEST(Recommendation, ComparesWhatHasTheSameSeeds) {
   EXPECT_EQ(of_six.by_effort[0].row.summary.mean, 72.5) << "of these seeds alone";
 }
 
-TEST(Recommendation, IsMadeAtEachRatioAndFirstAtThatWithTheMostWindows) {
+TEST(Recommendation, StartsAtTheRatioWithTheMostWindows) {
   std::vector<AccuracyRow> rows = seven_seeds(worse);
   rows.push_back(row_with("shift", "10to1", {80, 81, 82, 83, 84, 85, 86}));
   rows.push_back(row_with("vae", "10to1", {79, 80, 81, 82, 83, 84, 85}));
@@ -133,7 +133,7 @@ TEST(Recommendation, IsMadeAtEachRatioAndFirstAtThatWithTheMostWindows) {
   EXPECT_EQ(main_recommendation(all)->ratio, "10to1");
 }
 
-TEST(Recommendation, WithoutAnyGeneratedWindowIsOfNoneAlone) {
+TEST(Recommendation, IsNoneWithoutGeneratedWindows) {
   const Recommendation of = recommended({row_with("none", "100to1", {70, 71})});
   EXPECT_EQ(of.ratio, "100to1");
   EXPECT_EQ(of.compared, 1U);
@@ -141,7 +141,7 @@ TEST(Recommendation, WithoutAnyGeneratedWindowIsOfNoneAlone) {
 }
 
 /// Without known fault windows, `none` is a rule that learns from healthy windows.
-TEST(Recommendation, ComparesRulesWhereNothingIsKnown) {
+TEST(Recommendation, ComparesRulesWithoutKnownFaults) {
   const Recommendation of =
       recommended({by_classifier_of("envelope-rule", row_with("none", "100to1", {80, 80})),
                    by_classifier_of("exclusion-rule", row_with("none", "100to1", {85, 86})),
@@ -151,7 +151,7 @@ TEST(Recommendation, ComparesRulesWhereNothingIsKnown) {
   EXPECT_EQ(of.recommended().row.classifier, "exclusion-rule");
 }
 
-TEST(Recommendation, CountsWhatTheSeedsRecogniseTogether) {
+TEST(Recommendation, PoolsTheConfusionOfAllSeeds) {
   EXPECT_EQ(recommended(seven_seeds(worse)).recommended().confusion.at(1, 0), 7 * 4);
 }
 

@@ -13,80 +13,78 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 const std::string gets_wrong =
-    "It takes 13.3 % of the fault windows for healthy (missed faults) and 10.0 % of the healthy "
-    "ones for a fault (false alarms). Of the classes IR is recognised least, in 75.0 %.";
+    "It classifies 13.3 % of the fault windows as healthy (missed faults) and 10.0 % of the "
+    "healthy ones as a fault (false alarms). Class IR is recognised least, in 75.0 % of its "
+    "windows.";
 
 /// Means: 89 for 86 to 92, -7 for -10 to -4, and -23 for -26 to -20.
-TEST(RecommendationSentences, SayThatWhatTakesLessIsWorse) {
+TEST(RecommendationSentences, ReportThatLessEffortIsWorse) {
   EXPECT_THAT(
       recommendation_sentences(recommended(seven_seeds(worse))),
-      ElementsAre("Recommended on cwru: vae, right in 96.0 % of the test windows (95 % interval "
+      ElementsAre("Recommended on cwru: vae, correct in 96.0 % of the test windows (95 % interval "
                   "96.0 to 96.0, 7 seeds), with 145 generated windows of each fault.",
-                  "It is the most accurate of the 3 that were compared, and what takes less is "
-                  "significantly worse: none (-23.0 points, p 0.031) and shift (-7.0 points, p "
+                  "It is the most accurate of the 3 compared, and those that need less "
+                  "are significantly worse: none (-23.0 points, p 0.031) and shift (-7.0 points, p "
                   "0.031).",
-                  "It costs the training of a generator and of the classifier.", gets_wrong));
+                  "A generator and the classifier must be trained.", gets_wrong));
 }
 
 /// Differences 1, -2, 1, -2, 1, -2, -1: mean -4/7, deviation 1.512. t with six degrees of freedom
 /// is 2.447, so the interval is -1.97 to 0.83.
-TEST(RecommendationSentences, SayThatTheSimplerIsAsGood) {
+TEST(RecommendationSentences, ReportThatLessEffortIsAsGood) {
   EXPECT_THAT(
       recommendation_sentences(recommended(seven_seeds(as_good))),
-      ElementsAre(StartsWith("Recommended on cwru: shift, right in 95.4 % of the test windows"),
-                  "The most accurate of the 3 that were compared is vae (96.0 %), but shift is not "
-                  "significantly worse (-0.6 points, 95 % interval -2.0 to +0.8, p 0.28), and "
-                  "takes less: windows + classifier instead of generator + classifier. What takes "
-                  "still less is significantly worse: none (-23.0 points, p 0.031).",
-                  "It costs the training of the classifier; windows are generated without "
-                  "training.",
+      ElementsAre(StartsWith("Recommended on cwru: shift, correct in 95.4 % of the test windows"),
+                  "The most accurate of the 3 compared is vae (96.0 %), but shift is not "
+                  "significantly worse (-0.6 points, 95 % interval -2.0 to +0.8, p 0.28) and needs "
+                  "less: windows + classifier instead of generator + classifier. Those that "
+                  "need still less are significantly worse: none (-23.0 points, p 0.031).",
+                  "The classifier must be trained; windows are generated without training.",
                   gets_wrong));
 }
 
-TEST(RecommendationSentences, SayThatFewSeedsCannotTell) {
-  EXPECT_THAT(recommendation_sentences(
-                  recommended({by_classifier_of("nearest", row_with("none", "100to1", {80, 90})),
-                               row_with("shift", "2to1", {90, 95})})),
-              ElementsAre("Recommended on cwru: shift by wdcnn, right in 92.5 % of the test "
-                          "windows (2 seeds), with 145 generated windows of each fault.",
-                          "It is the most accurate of the 2 that were compared. Whether what takes "
-                          "less is as good, 2 seeds cannot tell: none by nearest (-7.5 points). At "
-                          "least 6 seeds could.",
-                          "It costs the training of the classifier; windows are generated without "
-                          "training.",
-                          gets_wrong));
+TEST(RecommendationSentences, ReportThatFewSeedsCannotDecide) {
+  EXPECT_THAT(
+      recommendation_sentences(
+          recommended({by_classifier_of("nearest", row_with("none", "100to1", {80, 90})),
+                       row_with("shift", "2to1", {90, 95})})),
+      ElementsAre(
+          "Recommended on cwru: shift by wdcnn, correct in 92.5 % of the test "
+          "windows (2 seeds), with 145 generated windows of each fault.",
+          "It is the most accurate of the 2 compared. With 2 seeds it cannot be decided if those "
+          "that need less are as good: none by nearest (-7.5 points). At least 6 seeds are needed.",
+          "The classifier must be trained; windows are generated without training.", gets_wrong));
 }
 
-TEST(RecommendationSentences, SayThatNoneTakesLess) {
+TEST(RecommendationSentences, ReportThatNoneNeedsLess) {
   const auto shown = recommendation_sentences(
       recommended({by_classifier_of("nearest", row_with("none", "100to1", {98, 98})),
                    by_classifier_of("nearest", row_with("shift", "2to1", {90, 95}))}));
-  EXPECT_THAT(shown[0], HasSubstr(": none by nearest, right in 98.0 %"));
+  EXPECT_THAT(shown[0], HasSubstr(": none by nearest, correct in 98.0 %"));
   EXPECT_THAT(shown[0], EndsWith("(2 seeds), without any generated window."));
-  EXPECT_EQ(shown[1], "It is the most accurate of the 2 that were compared, and none takes less.");
-  EXPECT_EQ(shown[2],
-            "It costs nothing beforehand: no window is generated, and nothing is trained.");
+  EXPECT_EQ(shown[1], "It is the most accurate of the 2 compared, and none needs less.");
+  EXPECT_EQ(shown[2], "It needs no preparation: no window is generated, and nothing is trained.");
   EXPECT_THAT(recommendation_sentences(recommended({row_with("none", "100to1", {70})})),
               testing::Contains("Nothing else was compared."));
 }
 
 /// The sentence leaves out false alarms if no healthy window was tested, and missed faults
 /// likewise.
-TEST(RecommendationSentences, SayNothingOfWhatWasNotTested) {
+TEST(RecommendationSentences, LeaveOutWhatWasNotTested) {
   Recommendation of = recommended(seven_seeds(worse));
   of.by_effort[of.taken].confusion = {3, {0, 0, 0, 0, 9, 1, 0, 0, 0}};
   EXPECT_EQ(recommendation_sentences(of).back(),
-            "It takes 0.0 % of the fault windows for healthy (missed faults). Of the classes IR is "
-            "recognised least, in 90.0 %.");
+            "It classifies 0.0 % of the fault windows as healthy (missed faults). Class IR is "
+            "recognised least, in 90.0 % of its windows.");
   of.by_effort[of.taken].confusion = {3, {9, 1, 0, 0, 0, 0, 0, 0, 0}};
   EXPECT_EQ(recommendation_sentences(of).back(),
-            "It takes 10.0 % of the healthy windows for a fault (false alarms). Of the classes "
-            "Normal is recognised least, in 90.0 %.");
+            "It classifies 10.0 % of the healthy windows as a fault (false alarms). Class Normal "
+            "is recognised least, in 90.0 % of its windows.");
   of.by_effort[of.taken].confusion = {};
   EXPECT_EQ(recommendation_sentences(of).size(), 3U);
 }
 
-TEST(RecommendationSections, AreAtTheMostWindowsThenByRatioThenByClass) {
+TEST(RecommendationSections, AreByEffortByRatioAndByClass) {
   std::vector<AccuracyRow> rows = seven_seeds(as_good);
   rows.push_back(row_with("shift", "10to1", {80, 81, 82, 83, 84, 85, 86}));
   const auto sections = recommendation_sections(recommendations(rows, results_of(rows)));

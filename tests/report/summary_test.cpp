@@ -72,19 +72,19 @@ TEST_F(Summary, ShowsTheMeanAccuracyOfEachMethodAtEachRatio) {
   EXPECT_THAT(text, HasSubstr("vae 75.0 90.0"));
 }
 
-TEST_F(Summary, SaysWhoHelpsAndWhoHarmsByHowManyPoints) {
+TEST_F(Summary, ReportsGainsAndLossesInPoints) {
   add_three_of_the_baseline();
   add_at_2to1("vae", 19);     // 95 %
   add_at_2to1("smote", 9);    // 45 %
   add_at_2to1("oracle", 20);  // 100 %
   const std::string text = summary_of("none vae smote oracle");
   EXPECT_THAT(text, HasSubstr("With 145 generated windows of each fault"));
-  EXPECT_THAT(text, HasSubstr("against the 63.3 without any (3 seeds)"));
+  EXPECT_THAT(text, HasSubstr("against the 63.3 % without any (3 seeds)"));
   EXPECT_THAT(text, HasSubstr("vae (+31.7) helps and smote (-18.3) harms"));
-  EXPECT_THAT(text, HasSubstr("real windows in their place (oracle) would give +36.7"));
+  EXPECT_THAT(text, HasSubstr("real windows instead (oracle) would give +36.7"));
 }
 
-TEST_F(Summary, CallsItNoClearDifferenceWhereSeedsDisagree) {
+TEST_F(Summary, ReportsNoClearDifferenceIfSeedsDisagree) {
   add(diagnosis("none", "100to1", 0, 0, 12));
   add(diagnosis("none", "100to1", 0, 1, 14));
   add(diagnosis("none", "100to1", 0, 2, 13));
@@ -92,7 +92,7 @@ TEST_F(Summary, CallsItNoClearDifferenceWhereSeedsDisagree) {
   EXPECT_THAT(summary_of("none vae"), HasSubstr("vae (+0.0) makes no clear difference"));
 }
 
-TEST_F(Summary, SaysWhyThePapersMethodDoesNotHelpFromItsScores) {
+TEST_F(Summary, ExplainsWhyThePapersMethodDoesNotHelp) {
   add_three_of_the_baseline();
   add_at_2to1("piae-dt", 9);
   const std::string text = summary_of("none piae-dt");
@@ -101,7 +101,7 @@ TEST_F(Summary, SaysWhyThePapersMethodDoesNotHelpFromItsScores) {
                               "their fault 4.0 dB stronger."));
 }
 
-TEST_F(Summary, SaysWhyThePapersMethodGainsLessThanHalfOfWhatRealWindowsWould) {
+TEST_F(Summary, ExplainsAGainOfLessThanHalfOfTheCeilings) {
   add_three_of_the_baseline();
   add_at_2to1("piae-dt", 15);  // 75 %
   add_at_2to1("oracle", 20);   // 100 %
@@ -111,14 +111,14 @@ TEST_F(Summary, SaysWhyThePapersMethodGainsLessThanHalfOfWhatRealWindowsWould) {
   EXPECT_THAT(text, HasSubstr("its windows are 250 % as strong as real ones"));
 }
 
-TEST_F(Summary, GivesNoReasonWhereThePapersMethodGainsMostOfWhatRealWindowsWould) {
+TEST_F(Summary, DoesNotExplainAGainOfMostOfTheCeilings) {
   add_three_of_the_baseline();
   add_at_2to1("piae-dt", 18);  // 90 %
   add_at_2to1("oracle", 20);
   EXPECT_THAT(summary_of("none piae-dt oracle"), Not(HasSubstr("published")));
 }
 
-TEST_F(Summary, GivesNoReasonWhereThePapersMethodHelpsAndNoCeilingIsKnown) {
+TEST_F(Summary, DoesNotExplainAGainWithoutACeiling) {
   add_three_of_the_baseline();
   add_at_2to1("piae-dt", 20);
   const std::string text = summary_of("none piae-dt");
@@ -126,7 +126,7 @@ TEST_F(Summary, GivesNoReasonWhereThePapersMethodHelpsAndNoCeilingIsKnown) {
   EXPECT_THAT(text, Not(HasSubstr("published")));
 }
 
-TEST_F(Summary, SaysOfHowManySeedsAMethodIsThatHasFewer) {
+TEST_F(Summary, ShowsTheSeedsOfAMethodWithFewer) {
   add_three_of_the_baseline();
   add_at_2to1("vae", 19);
   add_at_2to1("smote", 9);
@@ -137,7 +137,7 @@ TEST_F(Summary, SaysOfHowManySeedsAMethodIsThatHasFewer) {
               HasSubstr("vae (+31.7) helps and smote (-17.5, 2 seeds) makes no clear difference"));
 }
 
-TEST_F(Summary, JudgesNothingByOneOrTwoSeeds) {
+TEST_F(Summary, DoesNotJudgeByOneOrTwoSeeds) {
   for (const int seed : {0, 1}) {
     add(diagnosis("none", "100to1", 0, seed, 12));
     add(diagnosis("vae", "2to1", 145, seed, 19));
@@ -149,18 +149,18 @@ TEST_F(Summary, JudgesNothingByOneOrTwoSeeds) {
     return verdict(results, accuracy_rows(grid, results, Published(folder_.path())));
   };
   const std::string numbers =
-      "With 145 generated windows of each fault, and measured in points against the 60.0 without "
-      "any: vae (+35.0) and smote (-5.0). ";
+      "With 145 generated windows of each fault, in points against the 60.0 % without any: vae "
+      "(+35.0) and smote (-5.0). ";
   EXPECT_THAT(verdict_on("0"),
-              testing::ElementsAre(numbers +
-                                   "This is of one seed, too few to tell an effect from chance."));
+              testing::ElementsAre(
+                  numbers + "This is one seed, too few to distinguish an effect from chance."));
   EXPECT_THAT(verdict_on("0 1"),
               testing::ElementsAre(
-                  numbers + "These are of two seeds, too few to tell an effect from chance."));
+                  numbers + "These are two seeds, too few to distinguish an effect from chance."));
 }
 
 // One cell at another ratio does not become the subject of the sentence.
-TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
+TEST_F(Summary, UsesARatioThatHalfOfTheMethodsHave) {
   add_three_of_the_baseline();
   for (const char* method : {"vae", "smote", "piae-dt"}) add_at_2to1(method, 19);
   add(diagnosis("vae", "1to1", 495, 0, 20));
@@ -168,7 +168,7 @@ TEST_F(Summary, IsOfARatioThatHalfOfTheMethodsHave) {
 }
 
 /// 15 of 20 windows are correct by class, all by fault type.
-TEST_F(Summary, SaysWhereFaultsAreKnownAndTestedAndHowOftenTheirKindIsRight) {
+TEST_F(Summary, ReportsConditionsAndAccuracyByKind) {
   for (const auto& [method, ratio, generated] :
        {std::tuple{"none", "100to1", 0}, {"vae", "10to1", 45}, {"vae", "2to1", 145}}) {
     scoring::DiagnosisRecord record = diagnosis(method, ratio, generated, 0, 15);
@@ -190,7 +190,7 @@ TEST_F(Summary, SaysWhereFaultsAreKnownAndTestedAndHowOftenTheirKindIsRight) {
               HasSubstr("Faults are known at 1200 rpm"));
 }
 
-TEST_F(Summary, SaysNothingOfConditionsWhereThereAreNone) {
+TEST_F(Summary, DoesNotMentionConditionsWithoutAny) {
   add_baseline();
   add_method("vae");
   const std::string text = summary_of("none vae");
@@ -198,7 +198,7 @@ TEST_F(Summary, SaysNothingOfConditionsWhereThereAreNone) {
   EXPECT_THAT(text, Not(HasSubstr("kind")));
 }
 
-TEST_F(Summary, IsTheTableAloneWithoutTheBaseline) {
+TEST_F(Summary, IsOnlyTheTableWithoutTheBaseline) {
   add_method("vae");
   EXPECT_THAT(summary_of("vae"), Not(HasSubstr("points")));
 }

@@ -29,7 +29,7 @@ void expect_usage_error(const SweepOptions& options, const std::string& words) {
   }
 }
 
-TEST(SweepPoints, HaveTheFoldersOfTheGridWhereTheyAreTheCentre) {
+TEST(SweepPoints, UseTheFoldersOfTheGridAtTheCentre) {
   const Sweep sweep = resolve(options_of("batch=1 batch=5,learning-rate=1e-4", "batch=5"));
   ASSERT_EQ(sweep.points.size(), 3U);
   EXPECT_EQ(sweep.points[0].folder("piae-dt"), "sweep/batch-1");
@@ -39,13 +39,14 @@ TEST(SweepPoints, HaveTheFoldersOfTheGridWhereTheyAreTheCentre) {
   EXPECT_EQ(sweep.points[2].folder("piae-dt"), "sweep/learning-rate-1e-4");
 }
 
-TEST(SweepPoints, ThatCannotBeAreRefused) {
+TEST(SweepPoints, RefuseInvalidPoints) {
   expect_usage_error(options_of("batch", "batch"), "'batch' is not FACTOR=VALUE");
   expect_usage_error(options_of("=1", "=1"), "is not FACTOR=VALUE");
   expect_usage_error(options_of("batch=", "batch="), "is not FACTOR=VALUE");
   expect_usage_error(options_of("batch=../x", "batch=../x"), "is not FACTOR=VALUE");
   expect_usage_error(options_of("batch=1 batch=1", "batch=1"), "--points names batch=1 twice");
-  expect_usage_error(options_of("batch=1", "batch=5"), "--centre: 'batch=5' is none of --points");
+  expect_usage_error(options_of("batch=1", "batch=5"),
+                     "--centre: 'batch=5' is not one of --points");
   expect_usage_error(options_of("", "batch=5"), "--points is empty");
   expect_usage_error(options_of("batch=1", "batch=1", "7to1"), "7to1");
   expect_usage_error(options_of("batch=1", "batch=1", "100to1"), "cannot be combined");
@@ -91,7 +92,7 @@ class SweepTables : public StoredRun {
 };
 
 /// The deviation of two values a, b is |a - b| / sqrt(2).
-TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
+TEST_F(SweepTables, ShowTheCommonPointInEveryFactor) {
   add_cells({"1to1"});
   EXPECT_EQ(csv(options_of(points_, centre_)),
             "dataset,factor,value,ratio,seeds,mean,std,ci95_low,ci95_high\n"
@@ -101,7 +102,7 @@ TEST_F(SweepTables, HaveTheCommonPointInEveryFactor) {
             "cwru,depth,4,1to1,2,70.0000,0.0000,,\n");
 }
 
-TEST_F(SweepTables, HaveAllThatTheRunHolds) {
+TEST_F(SweepTables, CoverAllThatTheRunHolds) {
   add_cells({"1to1", "2to1"});
   const std::string all = csv(options_of(points_, centre_, "1to1 2to1"));
   EXPECT_EQ(csv(options_of(points_, centre_, "1to1", "0")), all);
@@ -109,7 +110,7 @@ TEST_F(SweepTables, HaveAllThatTheRunHolds) {
 }
 
 /// The cells of a centre belong to the grid, so a seed without a changed setting does not count.
-TEST_F(SweepTables, HaveTheSeedsAtWhichASettingWasMoved) {
+TEST_F(SweepTables, UseTheSeedsAtWhichASettingWasMoved) {
   add_cells({"1to1", "2to1"});
   add_cell("piae-dt", "1to1", 495, 2, 20);
   std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
@@ -119,7 +120,7 @@ TEST_F(SweepTables, HaveTheSeedsAtWhichASettingWasMoved) {
   EXPECT_THAT(text, HasSubstr("cwru,depth,4,1to1,2,70.0000,0.0000,,\n"));
 }
 
-TEST_F(SweepTables, MarkWhatIsOfFewerSeeds) {
+TEST_F(SweepTables, MarkRowsWithFewerSeeds) {
   add_cells({"1to1"});
   std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
   const std::string shown = text(options_of(points_, centre_, "1to1", "0"));
@@ -129,7 +130,7 @@ TEST_F(SweepTables, MarkWhatIsOfFewerSeeds) {
                                "| 5     | as in the grid | 1:1   | 85.00 ± 7.07 |\n"));
 }
 
-TEST_F(SweepTables, LeaveOutWhatIsOutOfDate) {
+TEST_F(SweepTables, LeaveOutStaleCells) {
   add_cells({"1to1", "2to1"});
   run::Results results;
   const auto rows = sweep_rows(
@@ -140,7 +141,7 @@ TEST_F(SweepTables, LeaveOutWhatIsOutOfDate) {
   EXPECT_EQ(rows.size(), 7U);
 }
 
-TEST_F(SweepTables, ForPeopleHaveAValueABlock) {
+TEST_F(SweepTables, HaveABlockForEachValue) {
   add_cells({"1to1", "2to1"}, {1});
   const std::string shown = text(options_of(points_, centre_, "1to1 2to1", "1"));
   EXPECT_THAT(shown, HasSubstr("# Settings of piae-dt on cwru\n"));
@@ -154,7 +155,7 @@ TEST_F(SweepTables, ForPeopleHaveAValueABlock) {
   EXPECT_THAT(shown, HasSubstr("## By depth\n\n"));
 }
 
-TEST_F(SweepTables, NameEveryCellThatIsMissingOrDoesNotBelong) {
+TEST_F(SweepTables, NameMissingAndForeignCells) {
   add_cells({"1to1", "2to1"});
   std::filesystem::remove(layout_.diagnosis("sweep/batch-1", "1to1", 1));
   save("diagnosis", diagnosis("vae", "1to1", 495, 0, 3),

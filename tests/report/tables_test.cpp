@@ -41,7 +41,7 @@ class Tables : public StoredRun {
 };
 
 /// The deviation of two values a, b is |a - b| / sqrt(2).
-TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
+TEST_F(Tables, WriteTwoSeedsAsCsv) {
   add_all();
   EXPECT_EQ(accuracy_csv(rows(grid_)), csv_header +
                                            "cwru,none,wdcnn,100to1,0,2,62.5000,3.5355,,,61.8\n"
@@ -66,7 +66,7 @@ TEST_F(Tables, OfTwoSeedsAreWrittenAsCsv) {
 }
 
 /// Pairs by seed: 75 - 60 and 75 - 65; 85 - 60 and 95 - 65. Published: 91.2 - 61.8.
-TEST_F(Tables, OfGainsArePairedBySeed) {
+TEST_F(Tables, PairGainsBySeed) {
   add_all();
   EXPECT_EQ(gains(grid_), csv_header +
                               "cwru,vae,wdcnn,10to1,45,2,12.5000,3.5355,,,\n"
@@ -75,7 +75,7 @@ TEST_F(Tables, OfGainsArePairedBySeed) {
   EXPECT_EQ(gains(grid("none", "100to1")), csv_header) << "nothing to compare";
 }
 
-TEST_F(Tables, OfTwoSeedsAreWrittenForATerminal) {
+TEST_F(Tables, WriteTwoSeedsForATerminal) {
   add_all();
   EXPECT_EQ(accuracy_text(rows(grid_)),
             "method  ratio         generated  seeds    accuracy %  95 % interval  paper\n"
@@ -86,7 +86,7 @@ TEST_F(Tables, OfTwoSeedsAreWrittenForATerminal) {
 
 /// Speeds differ, and both faults are on the inner race: 5 of 20 windows and 1 are taken for the
 /// other fault, but no window for another damaged part.
-TEST_F(Tables, OfConditionsHaveTheKindOfDefectBesideTheClass) {
+TEST_F(Tables, ShowTheKindOfDefectForConditions) {
   for (const int seed : {0, 1}) {
     scoring::DiagnosisRecord record = diagnosis("none", "100to1", 0, seed, seed == 0 ? 15 : 19);
     record.info.classes[2].defect = signal::Defect::inner;
@@ -106,7 +106,7 @@ TEST_F(Tables, OfConditionsHaveTheKindOfDefectBesideTheClass) {
   EXPECT_EQ(rows(none)[0].type_accuracy->mean, 100);
 }
 
-TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {
+TEST_F(Tables, WriteTwoSeedsAsMarkdown) {
   add_all();
   const std::string text = markdown(document(grid_));
   EXPECT_THAT(text,
@@ -138,7 +138,7 @@ TEST_F(Tables, OfTwoSeedsAreWrittenAsMarkdown) {
 
 /// Values 75, 75, 90 have the deviation 8.6603 and the half-width 4.3027 / sqrt(3) of it; 85, 95,
 /// 100 have 7.6376 and 18.973, so the interval would end at 112.31.
-TEST_F(Tables, OfThreeSeedsHaveIntervalsThatCanBe) {
+TEST_F(Tables, ShowPossibleIntervalsForThreeSeeds) {
   add_all();
   add(diagnosis("none", "100to1", 0, 2, 13));
   add(diagnosis("vae", "10to1", 45, 2, 18));
@@ -161,7 +161,7 @@ TEST_F(Tables, OfThreeSeedsHaveIntervalsThatCanBe) {
 }
 
 /// vae has seed 2 only at 10to1, `none` does not have it, and smote has one cell.
-TEST_F(Tables, OfARunWithGapsSayWhatThereIs) {
+TEST_F(Tables, DescribeARunWithGaps) {
   add_all();
   add(diagnosis("vae", "10to1", 45, 2, 18));
   add(diagnosis("smote", "2to1", 145, 0, 10));
@@ -190,7 +190,7 @@ TEST_F(Tables, OfARunWithGapsSayWhatThereIs) {
 }
 
 /// The mean over the classes is taken for each seed: of 0.5 and 1e-7, and of 0.7 and 1e-7.
-TEST_F(Tables, OfQualityHaveAClassARowAndAMethodAColumn) {
+TEST_F(Tables, ShowQualityByClassAndMethod) {
   add_baseline();
   add_method("vae");
   add_method("smote");
@@ -209,7 +209,7 @@ TEST_F(Tables, OfQualityHaveAClassARowAndAMethodAColumn) {
                               "| mean of classes | 1.100 ± 0.141 | 0.750 ± 0.000 |\n"));
 }
 
-TEST_F(Tables, OfOneSeedHaveNoSpread) {
+TEST_F(Tables, HaveNoSpreadForOneSeed) {
   add_all();
   const run::Grid one = grid("none vae", "100to1 10to1", "1");
   EXPECT_EQ(accuracy_csv(rows(one)), csv_header +
@@ -225,7 +225,7 @@ TEST_F(Tables, OfOneSeedHaveNoSpread) {
                               "0.7000 |\n")));
 }
 
-TEST_F(Tables, AreMadeOfOneSideOfTheGridToo) {
+TEST_F(Tables, CoverOneSideOfTheGrid) {
   add_all();
   const std::string none = markdown(document(grid("none", "100to1")));
   EXPECT_THAT(none, AllOf(HasSubstr("Accuracy on cwru without"), Not(HasSubstr("the methods"))));
@@ -240,20 +240,20 @@ TEST_F(Tables, AreMadeOfOneSideOfTheGridToo) {
       AllOf(HasSubstr("Quality of the methods"), Not(HasSubstr("Accuracy of the methods"))));
 }
 
-TEST_F(Tables, MarkTheCeilingWhichHasNoQuality) {
+TEST_F(Tables, MarkTheCeilingAndOmitItsQuality) {
   add_all();
   add(diagnosis("oracle", "2to1", 145, 0, 20));
   add(diagnosis("oracle", "2to1", 145, 1, 20));
   const run::Grid with_oracle = grid("none vae oracle", "100to1 2to1");
   const std::string text = markdown(document(with_oracle));
   EXPECT_THAT(text, AllOf(HasSubstr("| oracle (ceiling) | 2:1 (3.33:1) | 100.00 ± 0.00 |"),
-                          HasSubstr("The oracle is no method")));
+                          HasSubstr("The oracle is a ceiling")));
   EXPECT_THAT(accuracy_text(rows(with_oracle)), HasSubstr("\noracle (ceiling)  2:1"));
   EXPECT_THAT(quality_csv(with_oracle, collect(layout_, with_oracle)), Not(HasSubstr("oracle")));
   EXPECT_THAT(markdown(document(grid_)), Not(HasSubstr("oracle is")));
 }
 
-TEST_F(Tables, SayWhatIsMoreThanChance) {
+TEST_F(Tables, MarkDifferencesBeyondChance) {
   add_baseline();
   add_method("vae");
   add_method("piae-dt");
@@ -263,7 +263,7 @@ TEST_F(Tables, SayWhatIsMoreThanChance) {
   EXPECT_THAT(text, HasSubstr("| vae    | 10:1         |  +0.00 ± 0.00 |"));
 }
 
-TEST_F(Tables, OfTheAblationStandApart) {
+TEST_F(Tables, ShowTheAblationSeparately) {
   add_baseline();
   for (const char* method : {"vae", "piae-dt", "ae"}) add_method(method);
   const std::string text = markdown(document(grid("none vae piae-dt ae", "100to1 2to1")));
@@ -281,7 +281,7 @@ TEST_F(Tables, OfTheAblationStandApart) {
   EXPECT_THAT(text, HasSubstr("## Quality of the ablations on cwru: RMSE (the paper's Fig. 16)"));
 }
 
-TEST_F(Tables, OfTheAblationNameThoseOfTheOutlookWithoutANumber) {
+TEST_F(Tables, NameOutlookModelsWithoutANumber) {
   add_baseline();
   for (const char* method : {"piae-dt", "ae", "piae-dt-tcn"}) add_method(method);
   const std::string text = markdown(document(grid("none piae-dt ae piae-dt-tcn", "100to1 2to1")));
@@ -297,7 +297,7 @@ class TablesOfTheStandIn : public Tables {
   TablesOfTheStandIn() : Tables("hit-sm") {}
 };
 
-TEST_F(TablesOfTheStandIn, AreNeverTakenForThePapers) {
+TEST_F(TablesOfTheStandIn, AreNotPresentedAsThePapers) {
   add_all();
   for (const std::string& text : {markdown(document(grid_)), latex(document(grid_))}) {
     EXPECT_THAT(text, HasSubstr("Results on hit-sm, which stands in for HFHP\n"));
@@ -310,7 +310,7 @@ TEST_F(TablesOfTheStandIn, AreNeverTakenForThePapers) {
   }
 }
 
-TEST_F(TablesOfTheStandIn, HaveThePapersFiguresBesideThemButNotInTheirCsv) {
+TEST_F(TablesOfTheStandIn, ShowThePapersValuesButNotInCsv) {
   add_all();
   const std::string text = markdown(document(grid_));
   EXPECT_THAT(text, HasSubstr("| run       |         here | paper, HFHP |\n"
@@ -329,7 +329,7 @@ class TablesOfAnotherDataset : public Tables {
   TablesOfAnotherDataset() : Tables("my_rig_100") {}
 };
 
-TEST_F(TablesOfAnotherDataset, DoNotMentionThePapers) {
+TEST_F(TablesOfAnotherDataset, DoNotMentionThePaper) {
   add_all();
   const std::string text = markdown(document(grid_));
   EXPECT_THAT(text, AllOf(StartsWith("# Results on my_rig_100\n"), Not(HasSubstr("paper |")),
@@ -370,7 +370,7 @@ void expect_sound_latex(const std::string& text) {
   EXPECT_GT(rows, 0U);
 }
 
-TEST_F(TablesOfAnotherDataset, AreSoundLatexWhateverTheNames) {
+TEST_F(TablesOfAnotherDataset, AreValidLatexForAnyNames) {
   add_all();
   const std::string text = latex(document(grid_));
   expect_sound_latex(text);
@@ -378,7 +378,7 @@ TEST_F(TablesOfAnotherDataset, AreSoundLatexWhateverTheNames) {
   EXPECT_THAT(text, HasSubstr("\\label{tab:my-rig-100-quality-methods-spectral-distance-db}"));
 }
 
-TEST_F(Tables, AreSoundLatex) {
+TEST_F(Tables, AreValidLatex) {
   add_baseline();
   for (const char* method : {"vae", "piae-dt", "ae"}) add_method(method);
   const std::string text = latex(document(grid("none vae piae-dt ae", "100to1 10to1 2to1")));

@@ -75,7 +75,7 @@ TEST(TransferGroup, AveragesOverTheDatasetsSeedBySeed) {
 /// Worked by hand. Of the 32 sign patterns 2 are as extreme as 1, 2, 3, 4, 5; 4 as -1, 2, 3, 4, 5;
 /// and 10 as -1, -2, 3, 4, 5. Holm counts these three, without the ceiling: 3, 2 and 1 times p.
 /// Half-widths: 2.776445 times the deviations 1.581139, 2.302173, 3.114482 / sqrt(5).
-TEST(TransferGroup, ComparesAsWorkedByHand) {
+TEST(TransferGroup, MatchesHandCalculation) {
   EXPECT_EQ(transfer_comparisons_csv(transfer_group(choices, two_datasets())),
             "group,ratio,method,classifier,minus,minus_classifier,seeds,mean_difference,ci95_low,"
             "ci95_high,rank_biserial,p,p_holm\n"
@@ -89,7 +89,7 @@ TEST(TransferGroup, ComparesAsWorkedByHand) {
             "0.3125\n");
 }
 
-TEST(TransferGroup, TellsTheRecordedInputFromTheBestOfThisRun) {
+TEST(TransferGroup, MarksTheRecordedAndTheBestInput) {
   const TransferGroup group = transfer_group(choices, two_datasets());
   EXPECT_EQ(group.best_of("none")->classifier, "wdcnn-spectra");
   EXPECT_FALSE(group.best_of("none")->by_class.recorded);
@@ -108,11 +108,11 @@ TEST(TransferGroup, TellsTheRecordedInputFromTheBestOfThisRun) {
   }
 }
 
-TEST(TransferGroup, IsShownToPeople) {
+TEST(TransferGroup, WritesMarkdown) {
   const std::string text = markdown(transfer_document(transfer_group(choices, two_datasets())));
   EXPECT_THAT(text, testing::StartsWith("# Faults known in another condition: g\n"));
   EXPECT_THAT(text,
-              HasSubstr("No input is recorded in [transfer.g] of pipeline/protocol.toml for vae"));
+              HasSubstr("[transfer.g] of pipeline/protocol.toml does not record an input for vae"));
   EXPECT_THAT(
       text, HasSubstr("| method           | shown         |      accuracy |    95 % interval |\n"
                       "|------------------|---------------|--------------:|-----------------:|\n"
@@ -132,7 +132,7 @@ TEST(TransferGroup, IsShownToPeople) {
 }
 
 /// By fault type every method has 100 and 90 on the datasets, mean 95; none by wdcnn has 100.
-TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
+TEST(TransferGroup, ShowsTheKindOfDefectIfAllDatasetsHaveIt) {
   std::vector<DatasetRows> datasets = two_datasets();
   datasets[0].types = datasets[0].rows;
   for (AccuracyRow& row : datasets[0].types) std::ranges::fill(row.values, 100);
@@ -151,7 +151,7 @@ TEST(TransferGroup, HasTheKindOfDefectWhereAllDatasetsTellIt) {
               HasSubstr("| none             | 100.00 ✓↑ |         95.00 |   95.00 | 0.00 |\n"));
 }
 
-TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
+TEST(TransferGroup, UsesASeparateInputForEachQuestion) {
   std::vector<DatasetRows> datasets = two_datasets();
   for (DatasetRows& each : datasets) each.types = each.rows;
   GroupChoices both = choices;
@@ -162,7 +162,7 @@ TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
   EXPECT_EQ(group.recorded(Question::by_type).front()->classifier, "wdcnn-spectra");
   const std::string text = markdown(transfer_document(group));
   EXPECT_THAT(text, HasSubstr("| none             | wdcnn-spectra |  79.00 ± 0.00 |"));
-  EXPECT_THAT(text, HasSubstr("but chosen for telling kinds."));
+  EXPECT_THAT(text, HasSubstr("but chosen for fault types."));
   EXPECT_THAT(markdown(transfer_document(transfer_group(choices, datasets))),
               HasSubstr("Shown: as above."));
   EXPECT_THAT(
@@ -170,7 +170,7 @@ TEST(TransferGroup, AnswersEachQuestionByItsOwnInput) {
       HasSubstr("a,0.7500,none,method,wdcnn-spectra,0,1,100to1,0,79.0000,,,,79.0000,,,,1,1\n"));
 }
 
-TEST(TransferGroup, WithoutItsMethodSubtractsNothing) {
+TEST(TransferGroup, SubtractsNothingWithoutItsMethod) {
   std::vector<DatasetRows> datasets = two_datasets();
   for (DatasetRows& each : datasets) {
     std::erase_if(each.rows, [](const AccuracyRow& row) { return row.method == "strike-twin"; });
@@ -182,11 +182,11 @@ TEST(TransferGroup, WithoutItsMethodSubtractsNothing) {
       HasSubstr("strike-twin is not among these methods, so nothing is subtracted from it."));
 }
 
-TEST(TransferGroup, NeedsTheSameSeedsOfAllDatasets) {
+TEST(TransferGroup, NeedsTheSameSeedsForAllDatasets) {
   std::vector<DatasetRows> datasets = two_datasets();
   for (AccuracyRow& row : datasets[1].rows) row.seeds = {0, 1, 2, 3, 5};
   EXPECT_ERROR(transfer_group(choices, datasets), Exit::bad_input,
-               "none: b has the seeds 0 to 3, 5, and a has 0 to 4; a mean over datasets needs");
+               "none: b has the seeds 0 to 3, 5, but a has 0 to 4; a mean over data sets needs");
 }
 
 TEST(TransferGroup, IsAtMost100Wide) {
@@ -241,7 +241,7 @@ class TransferOfARun : public StoredRun {
 };
 
 /// 16 and 18 of 20 are 80 and 90 percent.
-TEST_F(TransferOfARun, AveragesOverBoth) {
+TEST_F(TransferOfARun, AveragesOverBothDatasets) {
   const TransferGroup group = read();
   EXPECT_EQ(group.rows.size(), 3U);
   EXPECT_THAT(group.own()->mean.row.values, ElementsAre(85, 85));
@@ -259,24 +259,24 @@ TEST_F(TransferOfARun, NeedsEveryCellOfEveryDataset) {
                "(make the cells named above, or request fewer)");
 }
 
-TEST_F(TransferOfARun, RefusesOptionsThatCannotBe) {
+TEST_F(TransferOfARun, RefusesInvalidOptions) {
   const TransferOptions good = options_;
   const auto refused = [&](const std::string& what) {
     EXPECT_ERROR(read(), Exit::usage, what);
     options_ = good;
   };
   options_.ratio = "100to1";
-  refused("--ratio 100to1: generates nothing");
+  refused("--ratio 100to1: no window is generated there");
   options_.inputs = {"none=wdcnn", "none=wdcnn-spectra"};
   refused("--inputs: names an input of none twice");
   options_.inputs = {"none=wdcnn-spectra"};
-  refused("--classifiers: must have wdcnn-spectra, which --inputs names for none");
+  refused("--classifiers: must include wdcnn-spectra, which --inputs names for none");
   options_.type_inputs = {"none=wdcnn"};
-  refused("--kind-inputs: must name an input of each method that --inputs names one of");
+  refused("--kind-inputs: must name one input for each method of --inputs");
   options_.type_inputs = {"none=wdcnn-spectra"};
-  refused("--classifiers: must have wdcnn-spectra, which --kind-inputs names for none");
+  refused("--classifiers: must include wdcnn-spectra, which --kind-inputs names for none");
   options_.inputs = {"none=cnn"};
-  refused("'none=cnn' names no classifier that is trained");
+  refused("'none=cnn' does not name a trained classifier");
   options_.classifiers = {"wdcnn cnn"};
   refused("unknown classifier 'cnn'; known: wdcnn, ");
 }

@@ -65,7 +65,7 @@ class TrustTable : public StoredRun {
   }
 };
 
-TEST_F(TrustTable, HasMeansOverTheSeedsInPercent) {
+TEST_F(TrustTable, ShowsMeansOverTheSeedsInPercent) {
   const std::vector<TrustRow> rows = trust_rows(layout_, cells());
   ASSERT_EQ(rows.size(), 1U);
   const TrustRow& row = rows.front();

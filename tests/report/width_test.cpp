@@ -108,7 +108,7 @@ class FullGrid {
 
 class Width : public testing::TestWithParam<const char*> {};
 
-TEST_P(Width, OfTheTablesOfTheFullGridIsAtMost100) {
+TEST_P(Width, OfTheFullGridIsAtMost100) {
   FullGrid grid(GetParam(), 10);
   expect_narrow(grid.markdown_of_tables());
   EXPECT_THAT(grid.markdown_of_tables(), testing::HasSubstr("| oracle (ceiling) "));

@@ -11,7 +11,7 @@ namespace {
 using testing::DoubleNear;
 
 std::string log_text(double started, const std::string& lines) {
-  return "build/bin/train --seed 0\nstep: begun at " + std::to_string(started) + "\n" + lines;
+  return "build/bin/train --seed 0\nstep: started at " + std::to_string(started) + "\n" + lines;
 }
 
 TEST(StepLogs, GiveTheCostOfTheStep) {
@@ -27,6 +27,13 @@ TEST(StepLogs, GiveTheCostOfTheStep) {
   EXPECT_EQ(log.processor_s, 11.93);
   EXPECT_EQ(log.memory_mb, 153);
   EXPECT_EQ(log.reason, "");
+}
+
+TEST(StepLogs, ReadsTheStartInLogsOfOlderRuns) {
+  const Folder folder;
+  const auto log = read_step_log(folder.write(
+      "train.log", "build/bin/train\nstep: begun at 100.5\nstep: exit 0 after 1.0 s\n"));
+  EXPECT_THAT(log.started_s, testing::Optional(100.5));
 }
 
 TEST(StepLogs, HaveNoProcessorTimeInAnOlderRun) {
@@ -95,7 +102,7 @@ TEST(StepLogs, NameTheProgramByItsCommand) {
   const Folder folder;
   const auto log = read_step_log(folder.write(
       "sweep@smote.log",
-      "srun --mem=2G build/bin/sweep --run results/t\nstep: begun at 1\nsweep  ##..  50 %\n"
+      "srun --mem=2G build/bin/sweep --run results/t\nstep: started at 1\nsweep  ##..  50 %\n"
       "sweep: no cell\nstep: exit 66 after 0.1 s\n"));
   EXPECT_EQ(log.stage, "sweep@smote");
   EXPECT_EQ(log.reason, "no cell");

@@ -118,12 +118,13 @@ TEST(Protocol, RefusesInvalidGroupsWithTheirLine) {
               HasSubstr("line 1: transfer.a.against must name a method, not ''"));
   EXPECT_THAT(refusal("none=wdcnn", "none"),
               HasSubstr("line 4: transfer.a.inputs: 'none' is not METHOD=CLASSIFIER"));
+  EXPECT_THAT(refusal("none=wdcnn", "nine=wdcnn"),
+              HasSubstr("line 4: transfer.a.inputs: 'nine=wdcnn' names an unknown method"));
   EXPECT_THAT(
-      refusal("none=wdcnn", "nine=wdcnn"),
-      HasSubstr("line 4: transfer.a.inputs: 'nine=wdcnn' names a method that there is not"));
-  EXPECT_THAT(refusal("none=wdcnn", "none=cnn"),
-              HasSubstr("'none=cnn' names no classifier that is trained; such are wdcnn, wdcnn-"));
-  EXPECT_THAT(refusal("none=wdcnn", "none=nearest"), HasSubstr("no classifier that is trained"));
+      refusal("none=wdcnn", "none=cnn"),
+      HasSubstr("'none=cnn' does not name a trained classifier; choose from: wdcnn, wdcnn-"));
+  EXPECT_THAT(refusal("none=wdcnn", "none=nearest"),
+              HasSubstr("does not name a trained classifier"));
   EXPECT_THAT(refusal("\"none=wdcnn\"", "\"none=wdcnn\",\n\"none=wdcnn-spectra\""),
               HasSubstr("line 5: transfer.a.inputs names an input of none twice"));
   EXPECT_THAT(

@@ -43,7 +43,7 @@ TEST_F(Figures, UseAllCellsOfTheRunAndAreReproducible) {
   const Outcome first = tiny.run("figures", figures_of({}));
   ASSERT_EQ(first.status, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("wrote fig11-12-windows@IR007.csv\n"));
-  EXPECT_THAT(first.out, HasSubstr("left out fig19-sweep: there is no sweep (make sweep)\n"));
+  EXPECT_THAT(first.out, HasSubstr("left out fig19-sweep: there is no sweep; run `make sweep`\n"));
   const std::string losses = csv(tiny, "fig07-losses");
   const std::string space = csv(tiny, "fig09-10-twin-space");
   EXPECT_THAT(losses, HasSubstr("\n0,2,4,total,"));  // seed, stage and the last of four epochs
@@ -108,8 +108,8 @@ TEST_F(Report, NamesADatasetThatWasNotStarted) {
   const Outcome outcome = tiny.run("report", report_of({}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("reported 1 datasets, 0 cells missing"));
-  EXPECT_THAT(outcome.err, HasSubstr("run/hit-sm: no method was begun"));
-  EXPECT_THAT(outcome.err, HasSubstr("run/simulated: no method was begun"));
+  EXPECT_THAT(outcome.err, HasSubstr("run/hit-sm: no method was started"));
+  EXPECT_THAT(outcome.err, HasSubstr("run/simulated: no method was started"));
 }
 
 TEST(ReportOfAFolder, ThatIsMissingIsAnError) {

@@ -205,7 +205,7 @@ TEST_F(IngestCheck, WarnsOfADeadSensor) {
   std::vector<double> samples = good_samples("OR021");
   for (double& x : samples) x = std::clamp(std::round(x / 0.1), -2.0, 1.0);
   write("OR021", samples);
-  expect_one_warning({"OR021 (OR021.csv, variable acceleration): takes 4 distinct values only"});
+  expect_one_warning({"OR021 (OR021.csv, variable acceleration): has only 4 distinct values"});
 }
 
 TEST_F(IngestCheck, WarnsOfAHalfThatRepeatsTheOther) {
@@ -223,7 +223,7 @@ TEST_F(IngestCheck, WarnsOfASpike) {
   samples[1000] = 300;
   write("Normal", samples);
   expect_one_warning(
-      {"Normal (Normal.csv, variable acceleration): sample 1000 (300) stands alone"});
+      {"Normal (Normal.csv, variable acceleration): sample 1000 (300) is an isolated spike"});
 }
 
 TEST_F(IngestCheck, WarnsOfCounts) {
@@ -259,8 +259,7 @@ TEST_F(IngestCheck, WarnsOfStretchesOfZeros) {
   std::vector<double> samples = good_samples("Normal");
   std::fill_n(samples.begin() + 30000, 2000, 0.0);
   write("Normal", samples);
-  expect_one_warning(
-      {"Normal (Normal.csv", "stands still at 0 for 2000 samples", "from sample 30000"});
+  expect_one_warning({"Normal (Normal.csv", "constant at 0 for 2000 samples", "from sample 30000"});
 }
 
 TEST_F(IngestCheck, WarnsOfASpeedInHz) {

@@ -42,10 +42,10 @@ TEST(TablesOfAPart, LeaveOutAndReportStaleCells) {
   arguments.insert(arguments.end(), {"--leave-out", "seed0/piae-dt", "seed1"});
   const Outcome outcome = tiny.run("tabulate", arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("left out, since"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("left out, because"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("piae-dt: seed 0"), std::string::npos) << outcome.err;
   EXPECT_EQ(bytes_of(tiny / "run/tiny/accuracy.csv").find("piae-dt"), std::string::npos);
-  EXPECT_NE(bytes_of(tiny / "run/tiny/tables.md").find("Left out, since"), std::string::npos);
+  EXPECT_NE(bytes_of(tiny / "run/tiny/tables.md").find("Left out, because"), std::string::npos);
 }
 
 TEST(TablesOfAPart, NeedTheRequestedCells) {

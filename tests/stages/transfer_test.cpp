@@ -72,7 +72,7 @@ TEST_F(TransferStage, RefusesCellsOfAnotherDataset) {
 
 TEST_F(TransferStage, RefusesAnUnknownClassifier) {
   expect_refusal(tiny_.run("transfer", with(transfer, "--classifiers", "cnn")), "transfer", 2,
-                 {"--classifiers: must have wdcnn"});
+                 {"--classifiers: must include wdcnn"});
   expect_refusal(tiny_.run("transfer", with(transfer, "--classifiers", "wdcnn,cnn")), "transfer", 2,
                  {"unknown classifier 'cnn'"});
 }

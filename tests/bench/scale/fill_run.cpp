@@ -177,7 +177,7 @@ void save_record(const std::string& kind, const Record& record, const Task& task
 void save_log(const plan::Step& step, std::size_t count) {
   text::save_all(
       {{plan::log_of(step), fmt::format("build/bin/{0} --of {1}\n"
-                                        "step: begun at {2}.000000\n"
+                                        "step: started at {2}.000000\n"
                                         "step: started\n"
                                         "{0} something: {1}\n"
                                         "step: used 0.70 s of processor time and 100 MB of memory\n"

@@ -77,4 +77,4 @@ instead_of_train() { # what it does
 }
 
 # Counts the lives of a job.
-lives() { grep -c '^job: life begun' results/t/.jobs/*/"$1"; }
+lives() { grep -c '^job: life started' results/t/.jobs/*/"$1"; }

@@ -5,7 +5,7 @@ source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
 source "${0%/*}/jobs.sh"
 
-test_the_grid_in_jobs_ends_in_the_same_bytes_as_without() {
+test_the_grid_in_jobs_gives_the_same_bytes_as_make() {
   small_grid 2
   local before output
   before=$(requests)
@@ -22,12 +22,12 @@ test_the_grid_in_jobs_ends_in_the_same_bytes_as_without() {
   expect_line "$(cluster cluster-plan)" '^1 submissions'
 }
 
-test_a_failed_cell_is_named_and_the_tables_are_of_the_others() {
+test_a_failed_cell_is_named_and_the_tables_have_the_others() {
   small_grid 2
   instead_of_train 'echo "train: the reason" >&2; exit 65'
   cluster cluster >/dev/null
   wait_for_line tables.log '^job: life ended .* status 1: some steps failed'
-  expect_in_log tables.log '^missing: 3 files that the tables are made of'
+  expect_in_log tables.log '^missing: 3 files that the tables need'
   expect_in_log tables.log '^  results/t/simulated-small/seed1/piae-dt/10to1/wdcnn/diagnosis.h5$'
   expect_line "$(<results/t/simulated-small/tables.md)" 'piae-dt'
   [[ -s results/t/report.html ]] || fail "there is no report"
@@ -42,7 +42,7 @@ test_a_failed_cell_is_named_and_the_tables_are_of_the_others() {
   expect_as_alone all
 }
 
-test_out_of_memory_is_said_with_the_step() {
+test_lack_of_memory_is_reported_with_the_step() {
   small_grid 2
   # shellcheck disable=SC2016
   instead_of_train 'hog=$(head -c 600000000 /dev/zero | tr "\0" x); sleep 60'
@@ -55,7 +55,7 @@ test_out_of_memory_is_said_with_the_step() {
   expect_in_log tables.log '^missing: '
 }
 
-test_what_asks_for_cuda_is_submitted_to_the_gpus_partition() {
+test_steps_on_cuda_go_to_the_gpu_partition() {
   small_grid 2
   printf '\n[train.smote]\nneighbours = 4\ndevice = "cuda"\n' >>pipeline/protocol.toml
   awk '/^\[train.smote\]/ && !once++ { skip = 1; next } /^\[/ { skip = 0 } !skip' pipeline/protocol.toml >protocol
@@ -65,7 +65,7 @@ test_what_asks_for_cuda_is_submitted_to_the_gpus_partition() {
   cluster cluster-stop >/dev/null
 }
 
-test_logs_that_cannot_be_written_are_noticed_before_anything_is_submitted() {
+test_unwritable_logs_are_reported_before_submitting() {
   small_grid 2
   mkdir -p results/t
   : >results/t/.jobs
@@ -73,24 +73,24 @@ test_logs_that_cannot_be_written_are_noticed_before_anything_is_submitted() {
   expect_equal "$(squeue --noheader)" ""
 }
 
-test_nothing_is_written_through_what_was_planted_for_logs() {
+test_nothing_is_written_through_planted_links() {
   small_grid 2
   mkdir -p results/t/.jobs elsewhere
   echo precious >victim
   ln -s "$PWD/victim" results/t/.jobs/lock
-  expect_line "$(cluster cluster)" 'results/t/.jobs or its lock is a link, or no file; remove it; nothing is submitted$'
+  expect_line "$(cluster cluster)" 'results/t/.jobs or its lock is a link or not a regular file; remove it; nothing is submitted$'
   expect_equal "$(<victim)" precious
   rm results/t/.jobs/lock
   mkfifo results/t/.jobs/lock
-  expect_line "$(timeout 20 make --silent cluster "${grid[@]}" RUN=t CORES=2 2>&1)" 'is a link, or no file; '
+  expect_line "$(timeout 20 make --silent cluster "${grid[@]}" RUN=t CORES=2 2>&1)" 'is a link or not a regular file; '
   rm -r results/t/.jobs
   ln -s "$PWD/elsewhere" results/t/.jobs
-  expect_line "$(cluster cluster)" 'is a link, or no file; '
+  expect_line "$(cluster cluster)" 'is a link or not a regular file; '
   expect_equal "$(ls elsewhere)" ""
 }
 
 # Covers the folder under another name, squeue's own variables, and a call from a job of an array.
-test_a_run_is_submitted_once_however_it_is_called() {
+test_a_run_is_submitted_once_under_any_name() {
   small_grid 2
   ln -s "$PWD" link
   cd link
@@ -102,15 +102,15 @@ test_a_run_is_submitted_once_however_it_is_called() {
   until_done
 }
 
-test_who_cannot_ask_slurm_stops_nothing_and_says_so() {
+test_without_an_answer_of_slurm_nothing_is_stopped() {
   small_grid 2
   mkdir -p results/t
   expect_line "$(SLURM_CONF=/nowhere cluster cluster-stop)" 'Slurm does not answer, see above; nothing is stopped'
-  expect_line "$(SBATCH_TIMELIMIT=soon cluster cluster)" "SBATCH_TIMELIMIT: minutes, .* not 'soon'"
+  expect_line "$(SBATCH_TIMELIMIT=soon cluster cluster)" "SBATCH_TIMELIMIT: must be minutes, .* not 'soon'"
   expect_equal "$(squeue --noheader)" ""
 }
 
-test_a_new_split_is_planned_with_all_that_comes_of_it() {
+test_a_new_split_is_planned_with_its_dependents() {
   small_grid 2
   alone all
   mv results/alone results/t
@@ -118,13 +118,13 @@ test_a_new_split_is_planned_with_all_that_comes_of_it() {
   expect_line "$(cluster cluster-plan)" '^cells +1 +2 .* 23 '
 }
 
-test_a_job_that_is_refused_takes_the_others_with_it() {
+test_a_refused_job_cancels_the_others() {
   small_grid 2
   expect_line "$(SBATCH_PARTITION=none cluster cluster)" 'sbatch refused the job records, see above; nothing is left in the queue'
   expect_equal "$(squeue --noheader)" ""
 }
 
-test_another_question_takes_a_run_of_both_protocols() {
+test_a_contrast_submits_both_protocols() {
   small_grid 2
   expect_line "$(cluster cluster contrast METHODS=none SEEDS=0 RATIOS=100to1)" '^submitted as job .*records.*cells.*tables'
   wait_for_line tables.log '^job: life ended .* status 0: done'
@@ -135,7 +135,7 @@ test_another_question_takes_a_run_of_both_protocols() {
   until_done
 }
 
-test_windows_that_could_not_be_made_are_asked_for_once() {
+test_windows_that_failed_are_tried_once() {
   small_grid 2
   # shellcheck disable=SC2016
   printf '#!/bin/bash\necho called >>simulated; echo "simulate: the reason" >&2; exit 65\n' >bin/simulate.new

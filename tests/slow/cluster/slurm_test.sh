@@ -13,7 +13,7 @@ test_nobody_else_reaches_it() {
   expect_equal "$(tail -n +2 /proc/net/dev | awk 'NR > 1 { print $1 }' | xargs)" "lo:"
 }
 
-test_runs_a_job_requeues_it_at_once_and_says_how_it_ended() {
+test_runs_a_job_requeues_it_and_reports_its_end() {
   printf '#!/bin/bash\necho began >>lives\nsleep 30\n' >job
   local job
   job=$(sbatch --parsable --output=/dev/null job)
@@ -43,7 +43,7 @@ lose_a_node() {
   wait $!
 }
 
-test_goes_on_after_slurmctld_was_killed() {
+test_continues_after_slurmctld_was_killed() {
   srun --quiet --nodes=1 --ntasks=1 bash -c 'sleep 6; echo here' >said &
   wait_for_job RUNNING
   sleep 4

@@ -76,7 +76,7 @@ test_time_limit() {
 }
 
 # The existing model has another seed. srun returns 0, or 1 on Debian 13.
-test_a_lost_node_is_no_success() {
+test_a_lost_node_is_a_failure() {
   nearly_done
   mkdir "${model%/*}"
   cp "$alone/${model/seed0/seed1}" "$model"

@@ -5,7 +5,7 @@ source "${0%/*}/slurm.sh"
 source "${0%/*}/../../pipeline/support.sh"
 source "${0%/*}/jobs.sh"
 
-test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
+test_stopped_trainings_continue_from_checkpoints() {
   small_grid 2000
   cluster cluster >/dev/null
   wait_for results/t/simulated-small/seed1/piae-dt/train.log
@@ -26,7 +26,7 @@ test_stopped_trainings_leave_checkpoints_and_the_same_command_goes_on() {
   expect_as_alone all
 }
 
-test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoint() {
+test_a_job_out_of_time_is_requeued_and_continues_from_its_checkpoint() {
   small_grid 2000
   # Each of the two trainings is a job.
   local grid=("${grid[@]}" METHODS=piae-dt RATIOS=10to1)
@@ -35,7 +35,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   local cells last=1
   cells=$(id_of cells)
   wait_for_job RUNNING "${cells}_$last"
-  wait_for_line "cells.$last.log" 'life begun'
+  wait_for_line "cells.$last.log" 'life started'
   sleep 3
   # Slurm sends this before the limit.
   scancel --batch --signal=USR1 "${cells}_$last"
@@ -49,7 +49,7 @@ test_out_of_time_a_job_goes_back_and_no_other_does_and_goes_on_from_the_checkpoi
   expect_as_alone all
 }
 
-test_a_life_that_makes_nothing_new_is_the_last() {
+test_a_life_that_makes_nothing_new_is_not_requeued() {
   small_grid 2
   instead_of_train 'trap "exit 75" TERM USR1; while :; do sleep 0.1; done'
   cluster cluster SEEDS=1 METHODS="none piae-dt" >/dev/null
@@ -64,7 +64,7 @@ test_a_life_that_makes_nothing_new_is_the_last() {
   until_true "the job began again" has_begun_twice
   sleep 2
   scancel --batch --signal=USR1 "${cells}_0"
-  wait_for_line cells.0.log 'nothing new was made in this life'
+  wait_for_line cells.0.log 'this life made nothing new'
   until_done
   expect_equal "$(lives cells.0.log)" 2
   expect_in_log tables.log '^missing: '
@@ -79,7 +79,7 @@ test_tables_that_take_too_long_are_stopped_at_once() {
   wait_for_line records.log 'status 0: done'
   wait_for begun
   scancel --batch --signal=USR1 "$(id_of tables)"
-  wait_for_line tables.log 'status 75: out of time, and nothing new was made'
+  wait_for_line tables.log 'status 75: out of time, and this life made nothing new'
   [[ ! -e ended ]] || fail "tabulate was waited for"
 }
 

@@ -6,7 +6,7 @@ namespace piae::seam {
 namespace {
 
 // This test is linked with LibTorch.
-TEST(BackEnds, AreThereInAProgramThatIsLinkedWithLibtorch) {
+TEST(BackEnds, ExistInAProgramLinkedWithLibtorch) {
   ASSERT_NE(back_ends(), nullptr);
   EXPECT_NE(back_end(&BackEnds::twin), nullptr);
   EXPECT_NE(back_end(&BackEnds::vae), nullptr);

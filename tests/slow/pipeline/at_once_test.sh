@@ -79,7 +79,7 @@ test_tables_are_made_while_cells_are() {
 }
 
 # Else make would wait for the make that the script started, and that one for a job slot which the first has taken back.
-test_a_script_that_is_killed_takes_its_make_with_it() {
+test_killing_the_script_ends_its_make() {
   echo 'name = "real"' >pipeline/datasets/real.toml
   printf '#!/bin/bash\ntrap "exit 75" TERM\necho $$ >>started\nwhile :; do sleep 0.1; done\n' >endless
   chmod +x endless

@@ -5,7 +5,7 @@ source "${0%/*}/../../pipeline/support.sh"
 
 demo() { make demo "$@" 2>&1; }
 
-test_the_demo_builds_what_it_runs_and_ends_with_three_answers_and_two_files_to_open() {
+test_the_demo_ends_with_three_answers_and_two_files() {
   skip_where_nothing_draws
   ln -s "$project"/{CMakeLists.txt,packaging,src,stages} .
   local output answers
@@ -18,10 +18,10 @@ test_the_demo_builds_what_it_runs_and_ends_with_three_answers_and_two_files_to_o
     "Three questions about a simulated bearing (percent correct, 3 seeds):
 
 1. A few windows of each fault are known. What helps a classifier of waveforms?
-   shift (N -> N %), not piae-dt (N %). One of spectra needs no help: N %.
+   shift (N -> N %), not piae-dt (N %). Spectra do not need help: N %.
 2. Faults are known at 1800 rpm, the machine runs at 1200 rpm. What helps?
    strike-twin (N -> N % by wdcnn-spectra); shift reaches N %.
-3. No fault was ever recorded. Can one be named all the same?
+3. No fault was ever recorded. Can one be diagnosed anyway?
    Yes: N % correct by exclusion-rule; recording.txt: outer, correct.
 
 Open results/demo/report.html    tables and figures
@@ -40,9 +40,9 @@ Open results/demo/report.html    tables and figures
   wait $other || fail "$(<other)"
 }
 
-test_the_demo_refuses_what_it_has_of_its_own() {
-  expect_line "$(demo BIN="$programs" METHODS=smote || true)" 'make demo: has METHODS of its own; .make all. takes any'
-  expect_line "$(demo BIN="$programs" cells || true)" 'make demo: give no other target with it'
+test_the_demo_refuses_its_fixed_variables() {
+  expect_line "$(demo BIN="$programs" METHODS=smote || true)" 'make demo: METHODS cannot be chosen; .make all. accepts it'
+  expect_line "$(demo BIN="$programs" cells || true)" 'make demo: cannot be combined with other targets; run it alone'
 }
 
 run_tests "$@"

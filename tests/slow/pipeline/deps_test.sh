@@ -31,7 +31,7 @@ deps_as() { # 0 or another id; LIBTORCH and targets, by default on and all
   PATH=$PWD/path bash deps-as.sh "$@" </dev/null
 }
 
-test_nothing_missing_touches_nothing() {
+test_does_nothing_if_nothing_is_missing() {
   machine
   all_but
   expect_equal "$(deps_as 1000 2>&1)" ""
@@ -54,7 +54,7 @@ test_sudo_is_used_when_it_works() {
   expect_equal "$(grep -c sudo apt-calls) $(grep -c 'install.*curl' apt-calls)" "2 1"
 }
 
-test_without_rights_the_line_is_printed() {
+test_without_rights_prints_the_command() {
   machine
   all_but libtorch-dev
   expect_line "$(deps_as 1000 2>&1 || true)" \
@@ -65,7 +65,7 @@ test_without_rights_the_line_is_printed() {
   [[ ! -e apt-calls ]] || fail "apt was called: $(<apt-calls)"
 }
 
-test_what_is_not_asked_for_needs_no_packages() {
+test_targets_that_are_not_requested_do_not_need_packages() {
   machine
   all_but libtorch-dev libopenblas-dev libgtest-dev libgmock-dev libbenchmark-dev hdf5-tools
   expect_equal "$(deps_as 0 off programs)" ""
@@ -84,7 +84,7 @@ test_what_is_not_asked_for_needs_no_packages() {
 }
 
 # Checks which packages make requests, and what it has built.
-test_goals_ask_for_what_they_need() {
+test_goals_request_what_they_need() {
   local script
   for script in deps build; do
     printf '#!/bin/bash\necho "%s $*" >>asked\n' $script >pipeline/$script.sh

@@ -35,23 +35,23 @@ data() { make --silent data BIN=fake DATASETS=real DATA_DIR=d; }
 
 test_fetches_and_checks() {
   site
-  expect_line "$(data)" "real: 2 files fetched, 0 were there"
+  expect_line "$(data)" "real: 2 files fetched, 0 existed"
   cmp "d/real/file 1.mat" site/1.mat
   cmp "d/real/file 2.mat" site/2.mat
-  expect_line "$(data)" "real: 0 files fetched, 2 were there"
+  expect_line "$(data)" "real: 0 files fetched, 2 existed"
 }
 
-test_what_is_simulated_needs_no_recordings() {
+test_simulated_data_sets_do_not_need_recordings() {
   site
   printf '[simulation]\nnoise = 0.1\n' >pipeline/datasets/made.toml
   printf 'name = "like-made"\nlike = "made"\n[split]\nwindow = 512\n' >pipeline/datasets/like-made.toml
   # shellcheck disable=SC2016
   printf '#!/bin/bash\n[[ $3 != */real.toml ]] || exec cat sources\nexec %q "$@"\n' "$programs/ingest" >fake/ingest
   make --silent data BIN=fake DATASETS="like-made real made" DATA_DIR=d METHODS=smote >output
-  expect_equal "$(grep -v ' from ' output)" "data: real: 2 files fetched, 0 were there"
+  expect_equal "$(grep -v ' from ' output)" "data: real: 2 files fetched, 0 existed"
 }
 
-test_goes_on_where_it_was_stopped() {
+test_continues_where_it_was_stopped() {
   site
   mkdir -p d/real
   head -c 5000 site/1.mat >"d/real/file 1.mat.part"
@@ -65,18 +65,18 @@ test_a_wrong_sum_is_refused() {
   site
   tr 1 2 <site/2.mat >other
   mv other site/2.mat
-  expect_line "$(data 2>&1 || true)" "d/real/file 2.mat: what http://site/.* is not the recording that is described"
+  expect_line "$(data 2>&1 || true)" "d/real/file 2.mat: the file from http://site/.* is not the described recording"
   expect_exit 2 data
   expect_equal "$(ls d/real)" "file 1.mat"
   cp site/2.mat "d/real/file 2.mat"
   expect_exit 2 data
 }
 
-test_what_cannot_be_fetched_is_named_with_the_alternatives() {
+test_names_what_cannot_be_fetched_with_the_alternatives() {
   site
   rm site/1.mat
   expect_line "$(data 2>&1 || true)" \
-    "d/real/file 1.mat: could not be downloaded .*Run the same command to go on, or put the file there by hand .*DATA_DIR="
+    "d/real/file 1.mat: could not be downloaded .*Run the same command to continue, or put the file there by hand .*DATA_DIR="
   expect_exit 2 data
 }
 
@@ -87,11 +87,11 @@ test_recordings_without_an_address() {
   expect_exit 2 data
   mkdir -p d/real
   touch d/real/mine.csv
-  expect_line "$(data)" "real: 0 files fetched, 1 were there"
+  expect_line "$(data)" "real: 0 files fetched, 1 existed"
 }
 
 # The programs refuse such addresses (tests/signal/description_test.cpp), and curl is told to refuse them, too.
-test_only_the_web_is_asked() {
+test_only_http_and_https_are_used() {
   site
   data >/dev/null
   rm -r d
@@ -103,7 +103,7 @@ test_only_the_web_is_asked() {
   expect_line "$(<curl-options)" '^--url$'
 }
 
-test_a_site_cannot_fill_the_disk_or_keep_waiting() {
+test_a_site_cannot_fill_the_disk_or_block() {
   site
   truncate --size=4100000000 site/1.mat
   expect_line "$(data 2>&1 || true)" 'file 1.mat: could not be downloaded from .* \(more than 4000000000 bytes\)'
@@ -116,7 +116,7 @@ test_nothing_is_written_outside_the_data_folder() {
   mkdir d elsewhere
   echo precious >elsewhere/victim
   ln -s ../elsewhere d/real
-  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat: its folder is a link out of d, and nothing is downloaded"
+  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat: its folder is a link out of d, so nothing is downloaded"
   expect_exit 2 data
   expect_equal "$(ls elsewhere)" victim
   rm d/real
@@ -128,20 +128,20 @@ test_nothing_is_written_outside_the_data_folder() {
   rm d/real/*
   ln -s "$PWD"/site/* d/real/
   for n in 1 2; do mv "d/real/$n.mat" "d/real/file $n.mat"; done
-  expect_line "$(data)" "real: 0 files fetched, 2 were there"
+  expect_line "$(data)" "real: 0 files fetched, 2 existed"
 }
 
 # A pipe would block, and a file would be moved into a folder.
-test_what_is_no_file_is_refused() {
+test_refuses_what_is_not_a_file() {
   site
   mkdir -p d/real
   mkfifo "d/real/file 1.mat.part"
   expect_line "$(timeout 20 make --silent data BIN=fake DATASETS=real DATA_DIR=d 2>&1)" \
-    "d/real/file 1.mat: d/real/file 1.mat.part is there and is not a file; remove it"
+    "d/real/file 1.mat: d/real/file 1.mat.part is not a regular file; remove it"
   expect_exit 2 timeout 20 make --silent data BIN=fake DATASETS=real DATA_DIR=d
   rm d/real/*
   mkdir "d/real/file 1.mat"
-  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat is there and is not a file; remove it"
+  expect_line "$(data 2>&1 || true)" "d/real/file 1.mat is not a regular file; remove it"
   expect_exit 2 data
   expect_equal "$(ls "d/real/file 1.mat")" ""
 }

@@ -35,7 +35,7 @@ cell() { fake/split --output-dir results/t/made/seed0 --window "$1" >/dev/null; 
 figures() { make --silent figures BIN=fake RUN=t DATASETS=made METHODS="none piae-dt" RATIOS="100to1 10to1" SEEDS=0; }
 pictures() { sha256sum $drawn/*.svg $drawn/*.pdf; }
 
-test_each_figure_is_an_svg_and_a_pdf_beside_its_numbers() {
+test_each_figure_is_an_svg_and_a_pdf_next_to_its_numbers() {
   lay_out
   figures >messages 2>&1 || fail "$(<messages)"
   expect_line "$(head -c 300 $drawn/fig07-losses.svg)" '<svg'
@@ -43,7 +43,7 @@ test_each_figure_is_an_svg_and_a_pdf_beside_its_numbers() {
   expect_line "$(tail -n 1 messages)" "^figures: $drawn/$"
 }
 
-test_only_what_is_named_must_be_there() {
+test_only_named_cells_must_exist() {
   lay_out
   cell one
   local which
@@ -67,7 +67,7 @@ test_the_same_numbers_give_the_same_bytes_at_any_time_in_any_language() {
   expect_equal "$(pictures)" "$first"
 }
 
-test_what_has_other_contents_is_drawn_again_alone() {
+test_only_changed_numbers_are_redrawn() {
   lay_out
   losses 4 >numbers/fig08-loss-weights.csv
   figures >/dev/null 2>&1
@@ -107,7 +107,7 @@ test_without_a_cell_nothing_is_drawn() {
 }
 
 # Shows a sweep, the truth, and the run with the other split, too.
-test_what_comes_later_beside_the_cells_makes_new_numbers() {
+test_later_cells_make_new_numbers() {
   lay_out
   figures >/dev/null 2>&1
   local file loss=10
@@ -123,7 +123,7 @@ test_what_comes_later_beside_the_cells_makes_new_numbers() {
 }
 
 # Draws a single seed, few methods, and classes with digits as names.
-test_figures_of_a_few_numbers_are_drawn_without_a_word() {
+test_figures_of_a_few_numbers_are_drawn_without_warnings() {
   lay_out
   local sample
   for sample in "$project"/tests/slow/pipeline/figures/*.csv; do
@@ -135,7 +135,7 @@ test_figures_of_a_few_numbers_are_drawn_without_a_word() {
 }
 
 # A single seed does not have a spread.
-test_readings_of_one_seed_are_drawn_without_a_word() {
+test_readings_of_one_seed_are_drawn_without_warnings() {
   lay_out
   sed -E '2,$ { s/,5,([^,]*),.*/,1,\1,/ }' "$project/tests/slow/pipeline/figures/readings.csv" >$drawn/readings.csv
   expect_line "$(<$drawn/readings.csv)" ',1,[^,]+,$'
@@ -180,7 +180,7 @@ test_published_values_name_their_recordings() {
 }
 
 # Methods that have only some of the ratios.
-test_ratios_stand_in_the_order_of_their_generated_windows() {
+test_ratios_are_ordered_by_their_generated_windows() {
   lay_out
   {
     echo method,ceiling,ratio,generated_per_class,seed,accuracy,low,high,published,published_of
@@ -209,7 +209,7 @@ test_nothing_is_drawn_through_a_planted_link() {
   expect_line "$(head -c 300 $drawn/fig07-losses.svg)" '<svg'
 }
 
-test_a_script_that_fails_leaves_no_picture_is_named_and_holds_up_no_other() {
+test_a_failing_script_is_named_and_does_not_block_others() {
   lay_out
   losses 4 >numbers/fig08-loss-weights.csv
   echo 'plot nothing_that_exists' >>pipeline/figures/fig07-losses.gp

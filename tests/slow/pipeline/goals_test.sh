@@ -46,7 +46,7 @@ twice() { # goal, variables...
   echo "$first"
 }
 
-test_a_contrast_is_of_both_protocols_by_the_papers_classifier() {
+test_a_contrast_uses_both_protocols_and_the_papers_classifier() {
   describe
   local which=(contrast DATASETS=other METHODS="none smote" RATIOS="100to1 10to1" SEEDS="0 1")
   expect_equal "$(twice "${which[@]}")" "1 contrast, 8 diagnose, 4 generate, 2 ingest, 4 score, 4 split, 4 train"
@@ -67,7 +67,7 @@ test_a_contrast_of_two_readings_of_cwru_compares_their_rates() {
 }
 
 # Four points of two settings; one point of each setting is the method itself.
-test_sweeps_share_cells_with_the_grid_and_have_a_table_each() {
+test_sweeps_share_cells_with_the_grid() {
   describe
   ask cells DATASETS=real SEEDS=0 METHODS="none piae-dt" RATIOS="10to1 1to1" >/dev/null
   rm calls
@@ -82,7 +82,7 @@ test_sweeps_share_cells_with_the_grid_and_have_a_table_each() {
   expect_equal "$(ran)" ""
 }
 
-test_a_failed_cell_is_named_and_leaves_no_table_but_the_others() {
+test_a_failed_cell_of_a_sweep_is_named_and_its_table_missing() {
   describe
   echo "train real/seed0/sweep/depth-2/model.h5" >broken
   local output code=0
@@ -95,7 +95,7 @@ test_a_failed_cell_is_named_and_leaves_no_table_but_the_others() {
   expect_equal "$(ran)" "1 diagnose, 1 generate, 1 score, 1 sweep, 1 train"
 }
 
-test_readings_are_ranked_drawn_and_have_seeds_and_a_run_of_their_own() {
+test_readings_are_ranked_and_drawn_in_a_separate_run() {
   describe
   expect_equal "$(make -n readings BIN=fake DATASETS=real | grep -oE 'results/[a-z]+/real/seed[0-9]+' | sort -u | xargs)" \
     "$(echo results/readings/real/seed10{0,1,2,3,4})"
@@ -107,13 +107,13 @@ test_readings_are_ranked_drawn_and_have_seeds_and_a_run_of_their_own() {
   [[ -e results/t/real/readings.svg ]] || fail "no picture"
 }
 
-test_an_identification_trains_and_compares_what_is_simulated() {
+test_an_identification_uses_simulated_data_sets() {
   describe
   expect_equal "$(twice identify DATASETS=made METHODS="smote piae-dt" SEEDS="0 1")" "1 identify, 1 simulate, 2 split, 2 train"
   expect_line "$(command_of made/identify)" "--run results/t --dataset made --methods piae-dt --seeds 0 1"
 }
 
-test_a_transfer_is_of_groups_at_one_ratio() {
+test_a_transfer_averages_groups_at_one_ratio() {
   describe
   # Two data sets with two seeds: none by three classifiers, smote by two.
   expect_equal "$(twice transfer DATASETS="real other" METHODS="none smote" CLASSIFIERS="wdcnn wdcnn-spectra" \
@@ -144,10 +144,10 @@ test_no_other_goal_keeps_classifiers() {
   expect_equal "$(ran)" ""
 }
 
-test_what_cannot_be_is_refused_before_any_cell() {
+test_impossible_requests_are_refused_before_any_cell() {
   describe
-  expect_line "$(ask sweep DATASETS=real METHODS=dynamics 2>&1)" "^plan: make sweep moves the settings of piae-dt smote: METHODS must have one"
-  expect_line "$(ask transfer DATASETS=real 2>&1)" 'DATASETS must have all of a group: first \(real other\)'
+  expect_line "$(ask sweep DATASETS=real METHODS=dynamics 2>&1)" "^plan: make sweep: METHODS must include one of piae-dt smote, "
+  expect_line "$(ask transfer DATASETS=real 2>&1)" 'DATASETS must include all data sets of one group: first \(real other\)'
   sed -i 's/"depth=2"/"dept=2"/' pipeline/protocol.toml
   expect_line "$(ask sweep DATASETS=real 2>&1)" "pipeline/protocol.toml, line 10: .*'dept=2'"
   sed -i 's/"dept=2"/"depth=2"/' pipeline/protocol.toml

@@ -19,7 +19,7 @@ test_makes_every_cell_once_and_then_nothing() {
   expect_exit 0 make --silent -q cells BIN=fake RUN=t DATASETS=real METHODS=smote SEEDS=0 RATIOS=1to1
 }
 
-test_asking_writes_nothing() {
+test_read_only_goals_write_nothing() {
   describe
   expect_equal "$(grid -n | grep -c pipeline/step.sh)" 62
   expect_exit 1 grid -q
@@ -38,7 +38,7 @@ test_asking_writes_nothing() {
   expect_equal "$(ran)" ""
 }
 
-test_a_changed_setting_makes_what_depends_on_it() {
+test_a_changed_setting_remakes_its_dependents() {
   finished_grid
   sed -i 's/# samples/# of 12 kHz/; s/^  3,/  4,/' pipeline/protocol.toml
   grid >/dev/null
@@ -49,7 +49,7 @@ test_a_changed_setting_makes_what_depends_on_it() {
 }
 
 # The contents are unchanged, so nothing downstream is remade.
-test_a_lost_file_comes_back_alone() {
+test_only_a_lost_file_is_remade() {
   finished_grid
   local file
   for file in seed0/D.h5:split seed0/smote/model.h5:train seed1/smote/E.h5:generate tables.md:tabulate records.h5:ingest; do
@@ -60,7 +60,7 @@ test_a_lost_file_comes_back_alone() {
   done
 }
 
-test_a_damaged_file_is_made_again() {
+test_a_damaged_file_is_remade() {
   finished_grid
   printf x | dd of=results/t/made/seed0/smote/score.h5 bs=1 seek=700 conv=notrunc status=none
   grid >/dev/null
@@ -70,7 +70,7 @@ test_a_damaged_file_is_made_again() {
   expect_equal "$(ran)" "1 tabulate"
 }
 
-test_the_journal_comes_back_from_the_artefacts() {
+test_the_journal_is_rebuilt_from_the_artefacts() {
   finished_grid
   rm results/t/.journal
   grid >/dev/null
@@ -82,7 +82,7 @@ test_the_journal_comes_back_from_the_artefacts() {
   expect_equal "$(ran)" ""
 }
 
-test_a_part_leaves_the_tables_of_the_whole_and_what_is_out_of_date_leaves_them() {
+test_tables_cover_the_whole_run_without_stale_cells() {
   finished_grid
   grid SEEDS=0 DATASETS=real METHODS="none smote" >/dev/null
   expect_equal "$(ran)" ""

@@ -3,7 +3,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2119
 source "${0%/*}/../../pipeline/small_grid.sh"
 
-test_every_hole_is_named_and_all_else_is_made() {
+test_missing_cells_are_named_and_the_others_made() {
   describe
   echo "train real/seed1/smote/model.h5" >broken
   local output code=0
@@ -23,7 +23,7 @@ test_every_hole_is_named_and_all_else_is_made() {
   expect_equal "$(ran)" "2 diagnose, 1 generate, 1 score, 1 tabulate, 1 train"
 }
 
-test_holes_are_named_also_when_make_stops_at_the_first() {
+test_missing_cells_are_named_if_make_stops_at_the_first() {
   describe
   echo "score real/seed0/smote/score.h5" >broken
   local output code=0
@@ -36,7 +36,7 @@ test_holes_are_named_also_when_make_stops_at_the_first() {
 }
 
 # 10 seeds of 14 cells are too many names to print.
-test_without_recordings_few_lines_say_so() {
+test_missing_recordings_are_reported_in_few_lines() {
   describe
   echo "ingest real/records.h5" >broken
   local output code=0
@@ -60,10 +60,10 @@ test_a_signal_to_make_all_reaches_the_stage() {
   kill -TERM $!
   expect_exit 143 wait $!
   wait_for saved
-  expect_no_line "$(<messages)" "not every step"
+  expect_no_line "$(<messages)" "some steps failed"
 }
 
-test_what_is_written_when_make_is_stopped_stays() {
+test_outputs_stay_if_make_is_stopped() {
   describe
   rm fake/train
   # shellcheck disable=SC2016

@@ -40,7 +40,7 @@ test_the_grid_runs_in_another_folder() {
   piae-dt verify results/paper/tiny/records.h5 || fail "the records are not good"
 }
 
-test_a_stage_finds_the_programs_beside_it() {
+test_a_stage_finds_the_programs_next_to_it() {
   installed
   printf '%s\n' 'name = "rig"' 'sample_rate_hz = 12000' 'shaft_speed_rpm = 1500' '[bearing]' 'balls = 9' \
     'ball_diameter_mm = 7.94' 'pitch_diameter_mm = 39' 'contact_angle_deg = 0' >rig.toml
@@ -72,7 +72,7 @@ test_every_program_is_installed_and_has_a_manual_page() {
 }
 
 # A stage's line is its first sentence, or as many of its words as fit into 80 columns.
-test_the_list_of_stages_says_what_each_does() {
+test_the_list_of_stages_describes_each() {
   installed
   local listed stage summary line said
   listed=$(piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
@@ -95,7 +95,7 @@ test_the_list_of_stages_says_what_each_does() {
 }
 
 # Each option has its text next to it or below, and dashes can be copied.
-test_pages_say_what_the_programs_say() {
+test_pages_match_the_help_of_the_programs() {
   installed
   local page=$prefix/share/man/man1/piae-dt-split.1.gz
   expect_line "$(gzip -dc "$page" | grep -A 1 '^.fB.-.-window.fR ')" '^Samples in a window$'
@@ -116,7 +116,7 @@ test_pages_are_clean() {
   done
 }
 
-test_a_folder_that_is_another_projects_is_left_alone() {
+test_folders_of_other_projects_are_not_changed() {
   installed
   local name
   for name in Makefile bin jobs; do
@@ -145,7 +145,7 @@ test_links_are_renewed_and_files_stay() {
   [[ ! -L pipeline/gone.sh ]] || fail "a link that leads nowhere is still there"
 }
 
-test_what_needs_the_sources_is_refused_in_one_line() {
+test_targets_that_need_the_sources_are_refused_in_one_line() {
   installed
   mkdir folder
   cd folder

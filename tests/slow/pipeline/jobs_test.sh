@@ -18,15 +18,15 @@ slurm() {
   PATH=$PWD/path:$PATH
 }
 
-test_the_papers_grid_takes_few_submissions_and_little_more_than_is_needed() {
+test_the_papers_grid_takes_few_submissions() {
   local output
   output=$(plan DATASETS="cwru hit-sm" METHODS=paper)
   expect_equal "$(line_of "$output" records | cut -d' ' -f 1-3)" "records 1 4"
   expect_line "$output" '^cells +[1-9] +4 +0:[0-9]+ h +0\.[0-9] GB +1[67][0-9]+ '
-  expect_line "$output" '^3 submissions, which ask for [0-9.]+ core-hours at most'
+  expect_line "$output" '^3 submissions, which request at most [0-9.]+ core-hours'
 }
 
-test_other_questions_are_planned_too_and_planning_writes_nothing() {
+test_other_goals_are_planned_without_writing() {
   expect_line "$(make --silent cluster-plan sweep BIN=fake RUN=t SEEDS=0)" '^cells +[1-9] '
   expect_line "$(make --silent cluster-plan readings BIN=fake SEEDS=100)" '^cells +[1-9] '
   expect_line "$(make --silent cluster-plan identify BIN=fake RUN=t)" '^cells +[1-9] '
@@ -34,7 +34,7 @@ test_other_questions_are_planned_too_and_planning_writes_nothing() {
   [[ ! -e calls && $(ls results) == published ]] || fail "there is $(find results)"
 }
 
-test_only_what_is_missing_is_planned() {
+test_only_missing_steps_are_planned() {
   make --silent all BIN=fake RUN=t METHODS=smote RATIOS=10to1 SEEDS=0 >/dev/null 2>&1
   expect_equal "$(line_of "$(plan METHODS=smote RATIOS=10to1 SEEDS=0)" all | cut -d' ' -f 2)" 1
   # Train, generate, score and diagnose, after the split.
@@ -74,7 +74,7 @@ test_submitted_jobs_make_what_make_does() {
   expect_equal "$(ran)" "1 ingest"
 }
 
-test_submit_alone_says_how_it_is_called() {
+test_submit_without_arguments_prints_its_usage() {
   expect_line "$(jobs/submit.sh --help)" '^usage: jobs/submit.sh \[--plan\] CORES=N MINUTES=N '
   expect_exit 0 jobs/submit.sh --help
   expect_line "$(jobs/submit.sh 2>&1 || true)" '^usage: jobs/submit.sh '
@@ -82,26 +82,26 @@ test_submit_alone_says_how_it_is_called() {
   expect_exit 2 jobs/submit.sh --plan
 }
 
-test_without_slurm_nothing_is_built_and_one_line_says_so() {
+test_without_slurm_make_cluster_fails_in_one_line() {
   mkdir path
   local program
   for program in make bash awk sed basename; do ln -s "$(command -v "$program")" path; done
   expect_exit 2 env PATH="$PWD/path" make cluster
-  expect_line "$(PATH=$PWD/path make cluster 2>&1 || true)" 'there is no sbatch here'
+  expect_line "$(PATH=$PWD/path make cluster 2>&1 || true)" 'sbatch is not installed, so there is no Slurm'
   [[ ! -e build ]] || fail "something was built"
 }
 
 test_wrong_numbers_and_goals_are_refused() {
-  expect_line "$(plan CORES=0 2>&1 || true)" "CORES: a whole number from 1 up, not '0'"
+  expect_line "$(plan CORES=0 2>&1 || true)" "CORES: must be a whole number from 1 up, not '0'"
   expect_exit 2 make cluster-plan sweep contrast BIN=fake
-  expect_line "$(plan transfer 2>&1 || true)" "one of cells, .*, all at a time, not 'transfer'"
+  expect_line "$(plan transfer 2>&1 || true)" "give one goal of cells, .*, all, not 'transfer'"
   slurm
   expect_exit 2 make cluster BIN=fake RUN=t METHODS=magic
   expect_equal "$(find results/t/.jobs -mindepth 1 ! -name lock)" ""
 }
 
 # Goals next to these words only select the question.
-test_what_stands_beside_status_and_cluster_stop_is_not_computed() {
+test_goals_after_status_and_cluster_stop_are_not_computed() {
   slurm
   local front goal
   for goal in all cells sweep contrast identify readings transfer; do

@@ -125,7 +125,7 @@ test_an_include_of_the_same_row_is_found() {
   expect_finding '^src/diagnosis/wdcnn.cpp:1: .* diagnosis and twin stand in one row' rooms
 }
 
-test_the_room_of_libtorch_is_included_by_nobody() {
+test_includes_of_the_room_of_libtorch_are_found() {
   copy_of_project
   sed -i '1i#include "libtorch/nets/adam.hpp"' src/augment/smote.cpp
   expect_finding '^src/augment/smote.cpp:1: includes "libtorch/nets/adam.hpp", but augment stands below libtorch' rooms
@@ -166,7 +166,7 @@ test_a_header_is_compiled_again_when_what_it_includes_changed() {
   expect_finding '^src/base/a.hpp:3: does not compile alone' headers src/base/a.hpp src/base/b.hpp
 }
 
-test_what_clang_tidy_warns_of_is_found() {
+test_warnings_of_clang_tidy_are_found() {
   copy_of_project
   printf '#pragma once\n\ninline int* nothing() { return 0; }\n' >src/base/nothing.hpp
   expect_finding '^src/base/nothing.hpp:3: use nullptr' tidy src/base/nothing.hpp

@@ -53,7 +53,7 @@ RIG
   } >pipeline/datasets/rig.toml
 }
 
-test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
+test_the_method_and_data_set_of_contributing_run_in_the_grid() {
   skip_where_nothing_draws
   lay_out
   describe_rig
@@ -68,7 +68,7 @@ test_the_shown_method_and_a_described_data_set_run_in_the_grid() {
   [[ -f results/new/rig/figures/seed-range@wdcnn-loudness.svg ]] || fail "the shown classifier has no picture"
 }
 
-test_the_shown_method_plays_backwards() {
+test_the_method_of_contributing_plays_backwards() {
   lay_out
   describe_rig
   make --silent cells BIN=bin RUN=new DATASETS=rig METHODS=reverse RATIOS=10to1 SEEDS=0 \
@@ -79,7 +79,7 @@ test_the_shown_method_plays_backwards() {
   expect_equal "$(first_window $cell/reverse/E.h5)" "$(first_window $cell/C.h5 | tac)"
 }
 
-test_the_shown_goal_runs_the_shown_stage() {
+test_the_goal_of_contributing_runs_its_stage() {
   lay_out
   describe_rig
   sed -i 's/^grid_goals := /&counts /' Makefile
@@ -97,7 +97,7 @@ run_rig() {
 }
 stages_of() { awk '$2 ~ /^[a-z]+$/ { print $2 }' <<<"$1" | xargs; }
 
-test_a_recording_that_is_replaced_is_noticed() {
+test_a_replaced_recording_is_noticed() {
   lay_out
   describe_rig
   expect_equal "$(stages_of "$(run_rig)")" "ingest split diagnose"
@@ -117,7 +117,7 @@ test_a_recording_that_is_replaced_is_noticed() {
 }
 
 # Records themselves name their recordings.
-test_records_whose_journal_is_lost_are_compared_with_their_own_sums() {
+test_records_without_a_journal_are_compared_by_their_digests() {
   lay_out
   describe_rig
   run_rig >/dev/null
@@ -128,7 +128,7 @@ test_records_whose_journal_is_lost_are_compared_with_their_own_sums() {
 }
 
 # Outputs of a failed step are still due.
-test_a_recording_that_cannot_be_read_leaves_the_step_due() {
+test_an_unreadable_recording_leaves_the_step_due() {
   lay_out
   describe_rig
   run_rig >/dev/null
@@ -159,7 +159,7 @@ test_a_fault_of_another_part_of_the_machine() {
   for refused in piae-dt-phase ae piae-dt-zero; do
     expect_exit 2 run_rig METHODS="shift $refused" RATIOS=10to1
     expect_line "$(run_rig METHODS="shift $refused" RATIOS=10to1 2>&1 || true)" \
-      "METHODS: $refused cannot be run; the description of rig does not say .*; choose METHODS=\"shift\""
+      "METHODS: $refused cannot be run; the description of rig lacks what they need: .*; choose METHODS=\"shift\""
   done
   # Without a choice of methods, the skipped ones are named.
   expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \

@@ -14,7 +14,7 @@ recordings() { # folder of the recordings
   grep -qxF "<$1>" options || fail "<$1> is not in $(<options)"
 }
 
-test_any_folder_that_is_one_line_will_do() {
+test_almost_any_folder_name_works() {
   recordings 'my recordings'
   rm -r results
   # shellcheck disable=SC2016
@@ -22,7 +22,7 @@ test_any_folder_that_is_one_line_will_do() {
   [[ ! -e x ]] || fail "a value was executed"
 }
 
-test_a_folder_that_make_cannot_pass_on_is_refused_in_one_line() {
+test_a_folder_name_that_make_cannot_pass_is_refused() {
   local value
   # shellcheck disable=SC2016
   for value in "it's" 'a$b' '$(shell touch executed)' '`touch executed`$' "';touch executed;'" $'a\nb' \

@@ -26,7 +26,7 @@ counts() { # data set, method, variables
   status "${@:3}" | awk -v d="$1" -v m="$2" '$1 == d && (d == "all" || $2 == m)'
 }
 
-test_of_nothing_of_a_part_and_of_all() {
+test_counts_nothing_a_part_and_all() {
   describe
   expect_equal "$(counts all '')" 'all 10 0 0 0 10 not known yet'
   [[ ! -e results/t && ! -e calls ]] || fail "status has made something"
@@ -98,7 +98,7 @@ STAGE
   chmod +x fake/train
 }
 
-test_running_is_what_a_living_process_is_at() {
+test_only_steps_of_living_processes_are_running() {
   describe
   endless_train
   with_grid cells SEEDS=0 >/dev/null 2>&1 &
@@ -112,7 +112,7 @@ test_running_is_what_a_living_process_is_at() {
   expect_equal "$(counts real smote SEEDS=0 | cut -d' ' -f1-7)" 'real smote 3 0 0 0 3'
 }
 
-test_killed_is_missing_but_its_orphan_runs() {
+test_a_killed_step_is_missing_unless_its_stage_still_runs() {
   describe
   endless_train
   mkdir -p results/t/real/seed0/smote
@@ -138,7 +138,7 @@ submitted() { # goal, variables
   PATH=$PWD/path:$PATH
 }
 
-test_what_is_given_goes_before_what_was_submitted() {
+test_given_variables_override_submitted_ones() {
   describe
   submitted all RUN=t DATASETS="real made" METHODS=smote RATIOS=10to1 SEEDS="0 1 2"
   expect_line "$(make --silent status BIN=fake RUN=t | tr -s ' ')" '^all 12 0 '
@@ -147,14 +147,14 @@ test_what_is_given_goes_before_what_was_submitted() {
 }
 
 # Without shared locks between nodes, a running step looks like a killed one.
-test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
+test_a_job_without_an_end_was_killed_only_if_slurm_does_not_list_it() {
   describe
   local folder=results/t/real/seed0/smote output
   mkdir -p $folder
-  printf '%s\n' train 'step: begun at 1.0' >$folder/train.log
+  printf '%s\n' train 'step: started at 1.0' >$folder/train.log
   submitted all RUN=t DATASETS=real
   echo $folder/model.h5 >$jobs/cells.0
-  echo "job: life begun at 1 on n1, 4 cores" >$jobs/cells.0.log
+  echo "job: life started at 1 on n1, 4 cores" >$jobs/cells.0.log
   output=$(status)
   expect_line "$output" '^ real/seed0/smote: train: its job ended: killed \(log: '
   expect_line "$output" '^ cells.0: killed \(log: '
@@ -170,7 +170,7 @@ test_a_job_without_an_end_was_killed_only_when_slurm_says_that_it_is_gone() {
   expect_line "$output" '^ cells.0: out of memory \(log: '
 }
 
-test_of_every_goal() {
+test_shows_every_goal() {
   describe
   printf '[train.piae-dt]\ndepth = 3\n[sweep]\npoints = ["depth=1", "depth=3"]\n' >>pipeline/protocol.toml
   local which=(BIN=fake RUN=t DATASETS=real SEEDS="0 1") output

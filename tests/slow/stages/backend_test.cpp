@@ -51,7 +51,7 @@ TEST(Backend, NoProgramOfADefaultRunLoadsLibtorch) {
   }
 }
 
-TEST(Backend, ProgramsThatAreNamedAfterLibtorchLoadIt) {
+TEST(Backend, ProgramsNamedAfterLibtorchLoadIt) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   for (const std::string stage : {"train", "generate", "diagnose"}) {

@@ -35,7 +35,7 @@ class TwoReaders : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(TwoReaders, AreEachComparedWithWhatTheyMadeThemselves) {
+TEST_F(TwoReaders, AreComparedWithTheirOwnOutput) {
   Workbench workbench = bench();
   for (const Consumer& consumer : workbench.consumers()) {
     const Verdict verdict = workbench.judge(consumer, "content", true);
@@ -44,7 +44,7 @@ TEST_F(TwoReaders, AreEachComparedWithWhatTheyMadeThemselves) {
   }
 }
 
-TEST_F(TwoReaders, AreFoundWhereOneMakesSomethingElse) {
+TEST_F(TwoReaders, AreReportedIfOneDiffers) {
   Workbench workbench = bench();
   const std::vector<Consumer>& consumers = workbench.consumers();
   EXPECT_EQ(workbench.judge(consumers.at(0), "CONTENT", true).finding,

@@ -172,7 +172,7 @@ finish() { # sets `happened`
   until "${tiny[@]}" "${options[@]}" SUBMIT="$one_job_a_step" >messages 2>&1; do
     ((++again < 3)) || return
   done
-  happened="failed; the same command ended it"
+  happened="failed; the same command finished it"
 }
 
 failures=0

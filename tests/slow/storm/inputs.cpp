@@ -245,7 +245,8 @@ class Storm {
               << "refused them; " << unmade_ << " ended HDF5 while they were made\n";
     const int status = tally_.finish();
     if (100 * unmade_ <= requested_.count) return status;
-    std::cerr << "inputs: more than one in a hundred could not be made: too little was tried\n";
+    std::cerr
+        << "inputs: more than one in a hundred inputs could not be made, so too few were tried\n";
     return 1;
   }
 

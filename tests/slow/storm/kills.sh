@@ -79,13 +79,13 @@ kill_one() {
 # Ends a round: compares with what the same command makes undisturbed.
 finish_round() {
   local difference
-  "${grid[@]}" >"$folder/log" 2>&1 || miss "the command given again ends with $?: $(tail -n 3 "$folder/log")"
+  "${grid[@]}" >"$folder/log" 2>&1 || miss "the repeated command ends with $?: $(tail -n 3 "$folder/log")"
   wait_for_all
-  "${grid[@]}" -q >/dev/null 2>&1 || miss "there is still something to be done: $("${grid[@]}" -n 2>&1 | head -n 3)"
+  "${grid[@]}" -q >/dev/null 2>&1 || miss "steps are still due: $("${grid[@]}" -n 2>&1 | head -n 3)"
   difference=$(diff -r --exclude='*.log' --exclude=.journal "$folder/one" "$run") ||
-    miss "not as undisturbed: ${difference:0:500}"
+    miss "differs from an undisturbed run: ${difference:0:500}"
   difference=$(diff <(cd "$folder/one" && find . | sort) <(cd "$run" && find . | sort)) ||
-    miss "other files than undisturbed: ${difference:0:500}"
+    miss "files differ from those of an undisturbed run: ${difference:0:500}"
   ! difference=$(grep -rE 'damaged|starts again' "$run" --include='*.log') ||
     miss "a checkpoint was lost: ${difference:0:500}"
   resumed=$((resumed + $(grep -rl 'going on from' "$run" --include='*.log' | wc -l)))
@@ -126,6 +126,6 @@ done
 finish_round
 list=
 for name in "${!killed[@]}"; do list+=", ${killed[$name]} $name"; done
-echo "kills: killed were ${list#, }; $rounds grids compared, $resumed trainings went on from a checkpoint"
+echo "kills: killed ${list#, }; $rounds grids compared, $resumed trainings continued from a checkpoint"
 echo "kills: $kills done, 0 refused, $((kills - missed)) accepted, $missed missed"
 ((missed == 0))

@@ -19,7 +19,7 @@ std::string artefact_in(const Folder& folder) {
   return bytes_of(folder / "a.h5");
 }
 
-TEST(Mutation, DependsOnTheSeedAndTheIndexAlone) {
+TEST(Mutation, DependsOnlyOnTheSeedAndTheIndex) {
   const std::string good(1000, 'x');
   std::set<std::string> seen;
   for (std::size_t i = 0; i < 50; ++i) {
@@ -32,14 +32,14 @@ TEST(Mutation, DependsOnTheSeedAndTheIndexAlone) {
   EXPECT_GT(seen.size(), 40U);
 }
 
-TEST(Mutation, TakesWhatIsEmpty) {
+TEST(Mutation, AcceptsEmptyInput) {
   for (std::size_t i = 0; i < 200; ++i) {
     Dice dice(1, i);
     EXPECT_LT(mutated("", "", dice).size(), 100U);
   }
 }
 
-TEST(Checksums, AreFoundAndMadeRightAgain) {
+TEST(Checksums, AreFoundAndCorrected) {
   const Folder folder;
   const std::string good = artefact_in(folder);
   const std::vector<Block> blocks = checksummed_blocks(good);

@@ -68,7 +68,7 @@ run_part() { # part, count
     flips | meanings) make_corpus && in_jobs "$1" "$2" "$bin" ;;
     inputs) make_corpus && in_jobs inputs "$2" "$inputs_bin" ;;
     cluster) PIAE_BIN=$bin "$here/cluster.sh" "$2" "$seed" ;;
-    *) echo "storm: no part '$1'; there are kills, flips, meanings, inputs and cluster" >&2 && return 2 ;;
+    *) echo "storm: no part '$1'; the parts are kills, flips, meanings, inputs and cluster" >&2 && return 2 ;;
   esac
 }
 
@@ -88,7 +88,7 @@ for ((i = 0; i < ${#parts[@]}; i += 2)); do
   if ((code == 0)); then
     rm -rf "${folder:?}/$part-$count-$seed"
   else
-    echo "storm: $part has failed; what was found stands in $folder" >&2
+    echo "storm: $part has failed; the findings are in $folder" >&2
     status=1
   fi
 done

@@ -33,7 +33,7 @@ std::vector<float> first_moments(const LatentBackend& backend, const std::string
 class DenseLatentsAgainstLibtorch : public testing::TestWithParam<Case> {};
 
 // Adam's moments are sums of gradients. The last batch is smaller than the others.
-TEST_P(DenseLatentsAgainstLibtorch, StepAsLibtorchDoes) {
+TEST_P(DenseLatentsAgainstLibtorch, StepLikeLibtorch) {
   const LatentTask task = example_task(50, 3, 7, 24);
   const auto mine = GetParam().native(task);
   const auto theirs = GetParam().libtorch(task);

@@ -88,7 +88,7 @@ TEST(CriticLosses, MatchTheHandWorkedLinearCritic) {
   EXPECT_NEAR(losses.penalty.item<double>(), 36, 1e-12);
 }
 
-TEST(CriticLosses, TakeThePenaltyBetweenKnownAndGenerated) {
+TEST(CriticLosses, ComputeThePenaltyBetweenKnownAndGenerated) {
   const latent::LatentGenerator generator = example_generator(6, 3, 2);
   const ParameterSet parameters = double_parameters(latent::wgan_gp_specs(generator));
   Stream stream("between");

@@ -33,7 +33,7 @@ TEST(Adam, TakesTheHandWorkedSteps) {
   EXPECT_NEAR(values.item<double>(), third, 1e-8);
 }
 
-TEST(Adam, EqualsLibTorchs) {
+TEST(Adam, MatchesLibTorch) {
   torch::Tensor theirs = torch::linspace(-1, 1, 50, torch::kFloat64).requires_grad_();
   const torch::Tensor ours = theirs.detach().clone();
   const torch::Tensor gradients = torch::zeros_like(ours);

@@ -25,7 +25,7 @@ class TwinAgainstLibtorch : public testing::TestWithParam<TaskOf> {};
 
 // Uses single precision. LibTorch computes the distances of eq. 21's MMD from products, which
 // leaves five digits.
-TEST_P(TwinAgainstLibtorch, StepsAsLibtorchDoes) {
+TEST_P(TwinAgainstLibtorch, StepsLikeLibtorch) {
   const TwinTask task = task_of(GetParam());
   const std::vector<std::size_t> batch{7, 2, 5, 0, 8};
   for (const TrainingStage stage : {TrainingStage::one, TrainingStage::two}) {

@@ -217,7 +217,7 @@ TYPED_TEST(OneCoreNetworkOf, OneUpdateEqualsLibtorchs) {
   }
 }
 
-TEST(OneCoreNetwork, TenUpdatesEqualLibtorchs) {
+TEST(OneCoreNetwork, MatchesLibtorchAfterTenUpdates) {
   Pair<double> pair(1024);
   for (int i = 0; i < 10; ++i) {
     BatchOutcome outcome;
