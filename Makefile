@@ -1,5 +1,5 @@
-# The front door: `make help` lists everything. The program `plan` (src/plan) knows the steps of a run and which of them
-# are due; make runs what it prints (pipeline/run.sh).
+# The front door: `make help` lists everything. The program `plan` (src/plan) knows the steps of a run and
+# which are due; make runs what it prints (pipeline/run.sh).
 
 ifneq ($(firstword $(sort 4.3 $(MAKE_VERSION))),4.3)
 $(error GNU make 4.3 or later is needed, this is $(MAKE_VERSION))
@@ -45,8 +45,8 @@ variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARC
              TOLERANCE LINT STORM V PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
-# Values must be plain text for make and the shell. They are checked before make would expand them as expressions. The
-# folder of the recordings may have almost any name.
+# Values must be plain text for make and the shell. They are checked before make would expand them. The folder
+# of the recordings may have almost any name.
 define line_break
 
 
@@ -67,12 +67,13 @@ $(foreach name,$(filter RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS,$(given)),
 comma := ,
 $(call refuse_signs,RUN,: = % $(comma),it is the name of a folder under results/)
 
-# The demo has grids of its own (pipeline/demo.mk), and uses all cores unless -j is given. It builds only the programs
-# that it runs, and does not need LibTorch.
+# The demo has grids of its own (pipeline/demo.mk), and uses all cores unless -j is given. It builds only the
+# programs that it runs, and does not need LibTorch.
 ifneq (,$(filter demo,$(MAKECMDGOALS)))
 $(foreach name,$(filter DATASETS METHODS RATIOS CLASSIFIERS,$(given)),\
   $(error make demo: $(name) cannot be chosen; `make all` accepts it))
-$(if $(filter-out demo,$(MAKECMDGOALS)),$(error make demo: cannot be combined with other targets; run it alone))
+$(if $(filter-out demo,$(MAKECMDGOALS)),\
+  $(error make demo: cannot be combined with other targets; run it alone))
 RUN      := demo
 RATIOS   := 100to1 5to1
 SEEDS    := 0 1 2
@@ -94,8 +95,8 @@ $(call one_of,PROTOCOL,random blocked)
 $(if $(filter full short least,$(STORM)),,$(error STORM: must be full, short or least, not '$(STORM)'))
 $(if $(filter-out all,$(LINT)),$(error LINT: must be all, or not given, not '$(LINT)'))
 
-$(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error sbatch is not installed, \
-  so there is no Slurm to submit to; `make all` computes here, `make cluster-plan` shows the jobs)))
+$(if $(filter cluster cluster-stop,$(MAKECMDGOALS)),$(if $(shell command -v sbatch),,$(error sbatch is not \
+  installed, so there is no Slurm; `make all` computes here, `make cluster-plan` shows the jobs)))
 
 # Accepts a folder as a shell completes it: RUN=results/try/ is RUN=try.
 override RUN := $(patsubst results/%,%,$(RUN:/=))
@@ -179,7 +180,8 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # Builds `programs tests benches` or `demo`, after installing the packages for them.
-draws      = $(filter demo all figures report transfer,$(or $(goals),$(on_cluster:%=all)))
+drawing    = all figures report readings transfer
+draws      = $(filter demo $(drawing) results/%,$(or $(goals),$(on_cluster:%=all)))
 build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(draws),figures) && \
   pipeline/build.sh $(ARCH) $(LIBTORCH) $1
 

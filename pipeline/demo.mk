@@ -32,8 +32,7 @@ same_speed:
 other_speed:
 	$(call grid,tables,$(slower),none shift strike-twin,wdcnn-spectra)
 
-# 4 s of a machine with a damaged outer race, one number a line. Each of two simultaneous makes writes a file of its
-# own.
+# 4 s of a machine with a damaged outer race, one number per line. Simultaneous makes write separate files.
 $(recording).txt: pipeline/datasets/$(no_fault).toml
 	$(Q)mkdir -p $(@D) && set -o pipefail && part=$@.$$$$ && \
 	  $(BIN)/simulate --description $< --stream outer --duration-s 4 --output - | \

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     }
     const signal::Description description = signal::read_description(file);
     stage.note_read(file);
-    for (const std::string& name : files_of(description, data_dir)) {
+    for (const std::string& name : recordings_of(description, data_dir)) {
       stage.note_read(data_dir / name);
     }
     stage.require_no_input(check ? picture : output);

@@ -45,8 +45,9 @@ short(i) = sets > 1 && (by_speed || sets > 4) ? substr(name(i), common + 1, strl
 # Place of a data set: the logarithm of its speed ratio, or in sequence if the speed does not change.
 array ratios[sets]
 do for [i = 1:sets] {
+  undefine ratio_*
   stats data using (strcol(1) eq name(i) && valid(2) ? $2 : NaN) name "ratio" nooutput
-  ratios[i] = ratio_records > 0 ? ratio_min : 1
+  ratios[i] = exists("ratio_records") && ratio_records > 0 ? ratio_min : 1
 }
 by_speed = 0
 do for [i = 1:sets] { if (abs(log(ratios[i])) > 0.05) { by_speed = 1 } }

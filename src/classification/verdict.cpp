@@ -37,10 +37,10 @@ Verdict judge(Recording recording, diagnosis::KeptClassifier& classifier, std::s
     verdict.start_s.push_back(static_cast<double>(first) / info.sample_rate_hz);
   }
   const auto n = static_cast<double>(windows.size());
-  verdict.share_unknown =
-      static_cast<double>(std::ranges::count_if(
-          verdict.predictions.novelty, [](double s) { return s > diagnosis::highest_known_novelty; })) /
-      n;
+  verdict.share_unknown = static_cast<double>(std::ranges::count_if(
+                              verdict.predictions.novelty,
+                              [](double s) { return s > diagnosis::highest_known_novelty; })) /
+                          n;
   verdict.unknown = verdict.share_unknown > 0.5;
   Eigen::Index named = 0;
   verdict.probability = mean_probabilities(verdict, info.classes.size()).maxCoeff(&named);

@@ -8,7 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <new>
 
@@ -75,6 +77,14 @@ CLI::Option* add_config(CLI::App& app, const std::string& help) {
 int fail(const std::string& name, Exit exit, const std::string& line) {
   std::cerr << name << ": " << one_line(line) << '\n';
   return static_cast<int>(exit);
+}
+
+/// Returns the exit code of a program that has done its work. What it printed must have been
+/// written, too: a caller would take a part of it for the whole.
+int ended_well(const std::string& name) {
+  if (std::cout.flush()) return static_cast<int>(Exit::done);
+  return fail(name, Exit::failed,
+              std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 /// Reports the start and the resources used if this stage is a step of a run (pipeline/step.sh). On
@@ -160,13 +170,13 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   try {
     app_->parse(argc, argv);
     body();
-    return static_cast<int>(Exit::done);
+    return ended_well(name_);
   } catch (const CLI::CallForHelp&) {
     std::cout << app_->help();
-    return static_cast<int>(Exit::done);
+    return ended_well(name_);
   } catch (const CLI::CallForVersion&) {
     std::cout << app_->version() << '\n';
-    return static_cast<int>(Exit::done);
+    return ended_well(name_);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
   } catch (const CLI::ConfigError& error) {

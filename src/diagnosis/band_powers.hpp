@@ -32,7 +32,8 @@ class Neighbours {
 
   explicit Neighbours(BandPowers known) : known_(std::move(known)), squares_(squares_of(known_)) {}
 
-  /// Returns [known, queries] the squared distance of each known window to each window of `queries`.
+  /// Returns [known, queries] the squared distance of each known window to each window of
+  /// `queries`.
   [[nodiscard]] Eigen::MatrixXd squared_distances(const BandPowers& queries) const;
 
   [[nodiscard]] const BandPowers& known() const { return known_; }

@@ -113,8 +113,6 @@ bool is_gone(const std::string& role, const Step& step) {
 
 }  // namespace
 
-std::string name_of(const Step& step) { return step.folder + '/' + step.log; }
-
 bool same_value(const std::string& left, const std::string& right) {
   if (left == right) return true;
   const auto a = number_in<double>(left);
@@ -204,7 +202,7 @@ std::string Judge::in_record(const Step& step) {
   for (const auto& [output, digest] : done->outputs) {
     const File* const file = disk_.find(output);
     if (file == nullptr) return file_name(output) + " is missing";
-    if (file->digest != digest) return file_name(output) + " was changed after it was made";
+    if (file->digest != digest) return file_name(output) + " differs from what the journal records";
   }
   return in_inputs(step, done->made);
 }

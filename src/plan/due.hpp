@@ -66,9 +66,6 @@ class Judge {
   std::map<std::tuple<const std::string*, const Settings*, std::string>, std::string> compared_;
 };
 
-/// Returns the name of a step in the journal.
-std::string name_of(const Step& step);
-
 /// Compares two values of an option, as numbers if both are numbers.
 bool same_value(const std::string& left, const std::string& right);
 

@@ -92,6 +92,7 @@ const Goal& goal_named(const std::string& name) {
 
 const Goal& goal_of_file(const std::string& file) {
   const Words parts = fields_of(below_run(file), '/');  // DATASET, seedK, UNIT, ... or figures
+  if (parts.empty()) return goal_named("all");
   const bool is_of_seed = parts.size() > 3;
   const std::string folder = is_of_seed ? parts[2] : parts.size() > 2 ? parts[1] : "";
   const auto begins_so = [&](const std::string& beginning) {

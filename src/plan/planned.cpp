@@ -88,15 +88,13 @@ void Planned::go_to(Stretch stretch) {
 }
 
 bool Planned::has(const std::string& step) const {
-  return std::ranges::count(plan_->graph().steps(), step, name_of) > 0;
+  return plan_->graph().step_named(step).has_value();
 }
 
 StepId Planned::step_named(const std::string& name) {
-  const auto& steps = plan_->graph().steps();
-  const auto found =
-      std::ranges::find_if(steps, [&](const Step& step) { return name_of(step) == name; });
-  if (found == steps.end()) throw Error(Exit::usage, "there is no step " + name);
-  return static_cast<StepId>(found - steps.begin());
+  const auto found = plan_->graph().step_named(name);
+  if (!found) throw Error(Exit::usage, "there is no step " + name + "; `plan` lists the steps");
+  return *found;
 }
 
 bool Planned::is_due(const std::string& step) {

@@ -82,15 +82,15 @@ std::string shown_of(const Plan& plan) {
     if (!std::filesystem::exists(table)) continue;
     for (const std::string& line : text::read_lines(table)) all += line + '\n';
   }
-  const auto stderr_fields = [&](const char* what, const char* below) {
+  const auto add_folders = [&](const char* what, const char* below) {
     all += what;
     for (const Part& part : plan.choice().parts) {
       all += fmt::format(" {}/{}/{}", plan.choice().folder(), part.dataset.name, below);
     }
     all += '\n';
   };
-  if (plan.choice().has_goal("all")) stderr_fields("tables and artefacts:", "");
-  if (plan.choice().has_goal("figures")) stderr_fields("figures:", "figures/");
+  if (plan.choice().has_goal("all")) add_folders("tables and artefacts:", "");
+  if (plan.choice().has_goal("figures")) add_folders("figures:", "figures/");
   return all;
 }
 

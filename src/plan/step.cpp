@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace piae::plan {
 
 StepId Graph::add(Step step) {
   const StepId id = steps_.size();
+  if (!named_.emplace(name_of(step), id).second) {
+    throw std::logic_error("two steps of a plan are named " + name_of(step));
+  }
   std::vector<StepId> needed;
   for (const Input& input : step.inputs) {
     for (const std::string& file : input.files) {
@@ -25,6 +29,11 @@ StepId Graph::add(Step step) {
 std::optional<StepId> Graph::maker_of(const std::string& file) const {
   const auto found = makers_.find(file);
   return found == makers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<StepId> Graph::step_named(const std::string& name) const {
+  const auto found = named_.find(name);
+  return found == named_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<std::string> command_of(const Step& step) {

@@ -72,12 +72,16 @@ struct Step {
   bool is_always_due = false;  ///< true if it shows the present state of the run
 };
 
+/// Returns the name of a step, which the journal and `make why` use.
+inline std::string name_of(const Step& step) { return step.folder + '/' + step.log; }
+
 /// Returns the path of the log of a step.
-inline std::string log_of(const Step& step) { return step.folder + '/' + step.log + ".log"; }
+inline std::string log_of(const Step& step) { return name_of(step) + ".log"; }
 
 /// The steps of a run, each after all steps that it needs.
 class Graph {
  public:
+  /// Throws std::logic_error if another step has the same name.
   StepId add(Step step);
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
@@ -85,13 +89,16 @@ class Graph {
   [[nodiscard]] const Step& at(StepId id) const { return steps_.at(id); }
   /// Returns the step that makes a file.
   [[nodiscard]] std::optional<StepId> maker_of(const std::string& file) const;
+  /// Returns the step of this name.
+  [[nodiscard]] std::optional<StepId> step_named(const std::string& name) const;
   /// Returns the steps that this one needs, each once, ascending.
   [[nodiscard]] const std::vector<StepId>& needs(StepId id) const { return needs_.at(id); }
 
  private:
   std::vector<Step> steps_;
   std::vector<std::vector<StepId>> needs_;
-  std::unordered_map<std::string, StepId> makers_;
+  std::unordered_map<std::string, StepId> makers_;  ///< by file
+  std::unordered_map<std::string, StepId> named_;
 };
 
 /// Returns the words of the command: the stage, the options, and after `--` the outputs that no

@@ -111,6 +111,11 @@ Submission read_submission(std::istream& lines) {
 
 void take_submission(const Submission& submission, Request& request, bool any_goal_given) {
   if (submission.folder.empty()) return;
+  if (submission.goal.empty() && !any_goal_given) {
+    throw Error(Exit::bad_input, (submission.folder / "choice").string() +
+                                     ": is missing or empty; remove the folder, or name a goal "
+                                     "(`make status all`)");
+  }
   if (!any_goal_given) request.goals = {submission.goal};
   if (request.goals != std::vector<std::string>{submission.goal}) return;
   const auto take = [&](const std::string& name, std::optional<std::string>& value) {

@@ -183,7 +183,7 @@ void TableSteps::add_picture(const std::string& csv) {
   }
   Step step{.stage = "draw",
             .folder = csv.substr(0, csv.rfind('/')),
-            .log = name.substr(name.rfind('/') + 1),
+            .log = file_name(name) + ".svg",
             .inputs = {{.role = "scripts", .files = scripts, .is_option = false}},
             .outputs = {name + ".svg", name + ".pdf"}};
   add(std::move(step), "numbers", {csv});

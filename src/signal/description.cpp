@@ -384,7 +384,7 @@ Description read_description(const fs::path& file) {
   return description;
 }
 
-std::vector<std::string> files_of(const Description& description, const fs::path& folder) {
+std::vector<std::string> recordings_of(const Description& description, const fs::path& folder) {
   std::vector<std::string> files;
   for (const RecordSource& source : description.records) {
     std::ranges::copy(files_of(source.files, folder), std::back_inserter(files));

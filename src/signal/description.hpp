@@ -84,8 +84,8 @@ struct Description {
 Description read_description(const std::filesystem::path& file);
 
 /// Returns the existing files of all records, relative to `folder`.
-std::vector<std::string> files_of(const Description& description,
-                                  const std::filesystem::path& folder);
+std::vector<std::string> recordings_of(const Description& description,
+                                       const std::filesystem::path& folder);
 
 /// Lists the raw files of a description, one line "SHA256  FILE  URL" each, with "-" for missing
 /// entries. Lists matching files in `folder`, and the names of missing files. Empty for a simulated

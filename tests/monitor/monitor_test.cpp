@@ -55,7 +55,7 @@ struct Monitored {
 };
 
 Monitored watched(const std::vector<float>& signal, const MonitorOptions& options,
-                std::size_t piece) {
+                  std::size_t piece) {
   Monitor monitor(rig(), window_length, by_mean, options, "raw");
   Monitored watched;
   const auto report = [&](const Decision& d) { watched.decisions.push_back(d); };

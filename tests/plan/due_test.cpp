@@ -191,7 +191,7 @@ TEST(DueTables, CompareTheCellsThatTheyWereMadeOf) {
   EXPECT_EQ(run.why("real/tabulate"), "accuracy.csv is missing");
   EXPECT_THAT(run.run(), ElementsAre(Pair("tabulate", 1)));
   run.disk.files["results/t/real/tables.md"].digest = "edited by hand";
-  EXPECT_EQ(run.why("real/tabulate"), "tables.md was changed after it was made");
+  EXPECT_EQ(run.why("real/tabulate"), "tables.md differs from what the journal records");
   run.run();
   run.disk.files["results/t/real/seed1/none/100to1/wdcnn/diagnosis.h5"].digest = "another";
   EXPECT_EQ(run.why("real/tabulate"), "cells have changed");

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "plan/goals.hpp"
 #include "plan/small_run.hpp"
+#include "text/lines.hpp"
 
 namespace piae::plan {
 namespace {
@@ -37,7 +39,7 @@ TEST_F(FilesThatAreAskedFor, CanBePictures) {
   const std::string picture = "results/t/real/figures/gains.svg";
   EXPECT_THAT(steps_of(picture, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(picture, Stretch::numbers), ElementsAre("real/figures", "made/figures"));
-  EXPECT_THAT(steps_of(picture, Stretch::pictures), ElementsAre("real/figures/gains"));
+  EXPECT_THAT(steps_of(picture, Stretch::pictures), ElementsAre("real/figures/gains.svg"));
   EXPECT_THAT(steps_of(picture, Stretch::pages), IsEmpty());
   EXPECT_THAT(steps_of(picture + " figures", Stretch::pictures),
               ElementsAre("real/figures/gains", "real/figures/scatter"));
@@ -85,6 +87,64 @@ TEST_F(FilesThatAreAskedFor, AreRefusedIfNoStepMakesThem) {
                                   ": no step makes this file with the given DATASETS, METHODS, "
                                   "RATIOS, CLASSIFIERS and SEEDS; change these");
     }
+  }
+}
+
+/// A run whose goals draw a picture of their table.
+SmallRun run_with_pictures() {
+  SmallRun run;
+  run.set("[split]",
+          "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
+          "inputs = [\"smote=wdcnn\"]\nkind-inputs = [\"smote=wdcnn\"]\n[split]");
+  run.set("[generate]", "[readings]\nbase = [\"batch=5\"]\nreadings = [\"depth=4\"]\n[generate]");
+  run.set("epochs = 200", "epochs = 200\nbatch = 5\ndepth = 3");
+  run.request.methods = "none smote piae-dt";
+  return run;
+}
+
+TEST(Plan, NothingIsDueAfterAnyGoal) {
+  for (const Goal& goal : goals()) {
+    if (goal.add == nullptr) continue;
+    SmallRun run = run_with_pictures();
+    run.run(goal.name);
+    EXPECT_THAT(run.run(goal.name), IsEmpty()) << goal.name;
+  }
+}
+
+TEST(Graph, RefusesTwoStepsOfOneName) {
+  Graph graph;
+  graph.add({.stage = "readings", .folder = "results/t", .log = "readings"});
+  EXPECT_THROW(graph.add({.stage = "draw", .folder = "results/t", .log = "readings"}),
+               std::logic_error);
+}
+
+TEST(Goals, AFolderIsNotAFileOfAGoal) {
+  for (const char* folder : {"results/t/", "results/", "/", ""}) {
+    EXPECT_EQ(goal_of_file(folder).name, "all") << folder;
+  }
+}
+
+/// Returns the words of a line `name := ...` of the Makefile, or `name = $(filter ...,...)`.
+std::vector<std::string> words_in_makefile(const std::string& name) {
+  for (const std::string& line : text::read_lines(PIAE_SOURCE "/Makefile")) {
+    std::vector<std::string> words = words_in(line);
+    if (words.size() > 2 && words[0] == name) return {words.begin() + 2, words.end()};
+  }
+  return {};
+}
+
+TEST(Goals, AreThoseOfTheMakefile) {
+  EXPECT_THAT(words_in_makefile("grid_goals"), testing::UnorderedElementsAreArray(goal_names()));
+}
+
+// make installs gnuplot for the goals that draw.
+TEST(Goals, ThatDrawAreThoseOfTheMakefile) {
+  const std::vector<std::string> drawing = words_in_makefile("drawing");
+  for (const Goal& goal : goals()) {
+    SmallRun run = run_with_pictures();
+    const std::vector<Step>& steps = run.plan(goal.name).graph().steps();
+    const bool draws = goal.draws || std::ranges::count(steps, "draw", &Step::stage) > 0;
+    EXPECT_EQ(std::ranges::count(drawing, goal.name), draws ? 1 : 0) << goal.name;
   }
 }
 

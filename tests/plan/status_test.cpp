@@ -6,6 +6,7 @@
 #include "plan/logs_of_values.hpp"
 #include "plan/small_run.hpp"
 #include "plan/submission.hpp"
+#include "support/errors.hpp"
 
 namespace piae::plan {
 namespace {
@@ -172,6 +173,19 @@ TEST(Submissions, ReportKilledJobsOnlyIfTheQueueIsKnown) {
   EXPECT_EQ(ended(""), "cells.0: killed; cells.1: out of time; ");
   EXPECT_EQ(ended("queue\tcells.0\tRUNNING\tNone\n"), "cells.1: out of time; ");
   EXPECT_EQ(ended("queue\t?\t?\tno answer\n"), "cells.1: out of time; ");
+}
+
+TEST(Submissions, RefuseAnEmptyChoiceUnlessAGoalIsGiven) {
+  const Folder folder;
+  folder.write("choice", "");
+  std::istringstream lines("submission\t" + folder.path().string() + '\n');
+  const Submission submission = read_submission(lines);
+  Request request;
+  request.goals = {"cells"};
+  take_submission(submission, request, true);
+  EXPECT_EQ(request.goals, std::vector<std::string>{"cells"});
+  EXPECT_ERROR(take_submission(submission, request, false), Exit::bad_input,
+               (folder / "choice").string() + ": is missing or empty; remove the folder, or name");
 }
 
 TEST(Submissions, ReportWhatTheySpent) {

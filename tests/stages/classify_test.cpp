@@ -185,7 +185,7 @@ TEST_F(Classify, PredictsLikeTheDiagnosis) {
   EXPECT_EQ(reader.text("/", "classifier_digest"),
             artefact::Reader(tiny_ / "classifier.h5", "classifier").digest());
   diagnosis::KeptClassifier kept(artefact::Reader(tiny_ / "classifier.h5", "classifier"));
-  const std::vector<float> expected = kept.answer(test_).probabilities;
+  const std::vector<float> expected = kept.predict(test_).probabilities;
   const std::vector<float> printed = reader.numbers<float>("/windows/probabilities", {0, 3}).values;
   ASSERT_EQ(printed.size(), expected.size());
   for (std::size_t i = 0; i < printed.size(); ++i) EXPECT_NEAR(printed[i], expected[i], 1e-6) << i;

@@ -26,6 +26,16 @@ TEST_P(Usage, VersionIsOneLineWithTheNumber) {
                                                  " [0-9]+[.][0-9]+[.][0-9]+( [(][0-9a-f]+[)])?\n"));
 }
 
+TEST_P(Usage, FailsWhenTheOutputCannotBeWritten) {
+  const Folder folder;
+  const std::string help = std::string(PIAE_BIN) + '/' + GetParam() + " --help >/dev/full 2>";
+  const int status = std::system((help + (folder / "err").string()).c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(
+      bytes_of(folder / "err"),
+      std::string(GetParam()) + ": standard output: cannot be written: No space left on device\n");
+}
+
 TEST_P(Usage, WithoutArgumentsIsAUsageError) {
   const Folder folder;
   expect_refusal(run(folder.path(), GetParam(), {}), GetParam(), 2, {"required", "--help"});

@@ -74,6 +74,19 @@ test_submitted_jobs_make_what_make_does() {
   expect_equal "$(ran)" "1 ingest"
 }
 
+test_a_job_that_cannot_write_its_list_fails() {
+  describe
+  slurm
+  grid cluster DATASETS=real METHODS=none >/dev/null
+  local folder status=0
+  folder=$(echo results/t/.jobs/2*)
+  ln -s /dev/full "$folder/records.to_do"
+  env --ignore-environment PATH="$PATH" SLURM_CPUS_PER_TASK=2 jobs/job.sbatch "$folder" records >job.log 2>&1 ||
+    status=$?
+  expect_equal "$status" 1
+  expect_line "$(tail -n 1 job.log)" '^job: life ended at [0-9]+, used [0-9.]+ s, status 1: '
+}
+
 test_submit_without_arguments_prints_its_usage() {
   expect_line "$(jobs/submit.sh --help)" '^usage: jobs/submit.sh \[--plan\] CORES=N MINUTES=N '
   expect_exit 0 jobs/submit.sh --help
