@@ -124,9 +124,9 @@ endif
 
 # One plan covers all goals of the grid, including files of results/.
 grid_goals := records cells features tables all figures report sweep contrast identify readings transfer trust
-asked := $(filter $(grid_goals) results/%,$(goals))
+requested := $(filter $(grid_goals) results/%,$(goals))
 # Programs take the request from the environment, so that neither make nor a shell interprets a value.
-GOALS := $(asked)
+GOALS := $(requested)
 export GOALS RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN SUBMIT V
 Q := $(if $(V),,@)
 
@@ -138,10 +138,10 @@ help:
 	@sed '$(if $(installed),/^Targets that need/$(comma)$$d)' pipeline/help.txt
 
 # ---- the grid -----------------------------------------------------------------------------------
-.PHONY: $(asked)
-$(asked): $(or $(on_cluster),grid)
+.PHONY: $(requested)
+$(requested): $(or $(on_cluster),grid)
 ifeq (,$(findstring n,$(letters))$(findstring q,$(letters)))
-$(asked): ; @: # or make would say that there is nothing to be done
+$(requested): ; @: # or make would say that there is nothing to be done
 endif
 
 grid: | $(programs)

@@ -1,7 +1,7 @@
 # `make install` and `make package`: one front command, bin/piae-dt, for programs whose names other packages have,
 # too. The programs are in lib/piae-dt, what make reads in share/piae-dt, in folders as they are here.
 #
-# What only LibTorch computes is a component, and a package, of its own: its programs are found beside the others at
+# What only LibTorch computes is a component, and a package, of its own: its programs are found next to the others at
 # run time, and LibTorch is 0.5 GB that few need.
 
 install(PROGRAMS packaging/piae-dt DESTINATION bin COMPONENT programs)

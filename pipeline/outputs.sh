@@ -45,7 +45,7 @@ made_anew() {
 }
 
 # True if the stage was interrupted and left a checkpoint. Waits for the checkpoint while the stage may still be
-# running: a stage that has ended by itself has reported its usage. If the step was not told to stop, only a checkpoint
+# running: a stage that has ended by itself has reported its usage. If the step was not signalled, only a checkpoint
 # written from now on counts, because an earlier one does not distinguish a lost node from an interrupted stage.
 left_checkpoint() {
   local checkpoint tries=0

@@ -41,7 +41,7 @@ run_make() { # further options
 
 next=grid
 while :; do
-  export ASKED_AT=$EPOCHREALTIME
+  export PLANNED_AT=$EPOCHREALTIME
   plan --format make --stretch "$next" "${options[@]}" >"$scratch" || exit
   read -r _ stretch next <"$scratch" # "# numbers pictures": the stretch to do, and the next one
   [[ $stretch != shown ]] || break

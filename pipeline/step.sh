@@ -13,7 +13,7 @@
 #
 # usage: pipeline/step.sh results/RUN/DATASET/... STAGE OPTION... [-- FILE...]
 # The FILEs are outputs of the stage in addition to its --output.
-# Environment: BIN (folder of the programs), SUBMIT (a command to put before the stage), ASKED_AT (when the step was
+# Environment: BIN (folder of the programs), SUBMIT (a command to put before the stage), PLANNED_AT (when the step was
 # planned; optional), ONLY_IF_DUE (run only if a step that it needs has changed its outputs), STEP_LOG (name of the log
 # if the stage has another step in the same folder; default: the stage), CHECKPOINT_WITHIN (seconds to wait for the
 # checkpoint of a stage whose launcher has given up; default 30, as long as Slurm waits before it kills).
@@ -98,7 +98,7 @@ if (($? == 1)); then
   flock 9
 fi
 # Another make may have finished this step since it was planned, or its inputs may have come out unchanged.
-planned_before() { [[ -s $log && ${ASKED_AT:-} && $(time_of "$log") > $ASKED_AT ]]; }
+planned_before() { [[ -s $log && ${PLANNED_AT:-} && $(time_of "$log") > $PLANNED_AT ]]; }
 if [[ ${ONLY_IF_DUE:-} ]] || planned_before; then
   "$BIN/plan" --is-due "$name" 2>/dev/null
   if (($? == 3)); then

@@ -18,7 +18,7 @@ is_shown(least)    = strcol(1) eq method && $7 >= least
 number_font        = classes > 8 ? font_9 : classes > 5 ? font_10 : font_12
 
 set label 1 "Confusion of the classes at ".colon(word(words_ratio, words(words_ratio))). \
-            ", percent of each true class over all seeds; beside the names the accuracy"
+            ", percent of each true class over all seeds; next to the names: the accuracy"
 set label 2 "predicted class"
 set label 3 "true class"
 set border 15 linecolor rgb 0xAAAAAA

@@ -49,7 +49,7 @@ rows_by=$(sed -nE 's/^# rows by: (.+)$/\1/p' "$script")
 [[ -z $rows_by ]] || awk -F, -v by="$rows_by" -v folder="$partial" '
   NR == 1 { for (i = 1; i <= NF; ++i) if ($i == by) column = i; header = $0; next }
   { file = folder "/" $column ".csv"
-    if (!(file in begun)) { print header >file; begun[file] }
+    if (!(file in started)) { print header >file; started[file] }
     print >file }' "$csv"
 
 # A script with another height than 600 has a line "# height: EXPRESSION", which may count words. The script gets it as

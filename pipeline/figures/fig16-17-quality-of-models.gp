@@ -2,5 +2,5 @@
 # height: 1300
 # rows by: metric
 load scripts.'/models.gp'
-heading = "Generated windows of ".models." beside real ones, by class"
+heading = "Generated windows of ".models." and real ones, by class"
 load scripts.'/quality.gp'

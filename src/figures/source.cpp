@@ -24,7 +24,8 @@ Source::Source(run::Layout layout, run::Grid requested, report::Published publis
       grid_(held_grid(layout_, requested_, held_)),
       published_(std::move(published)) {
   if (grid_.combinations.empty()) {
-    throw Error(Exit::input_missing, layout_.folder().string() +
+    throw Error(Exit::input_missing,
+                layout_.folder().string() +
                     (leave_out.empty() ? ": holds no cell; run `make cells`"
                                        : ": holds only stale cells; `make why` gives the reasons"));
   }

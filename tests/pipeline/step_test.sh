@@ -93,19 +93,19 @@ test_a_step_that_is_no_longer_due_does_not_run() {
   export "${which[@]}" GOALS=all
   for log in ingest seed0/split seed0/smote/10to1/wdcnn/features tabulate; do
     export STEP_LOG=${log##*/}
-    expect_line "$(ASKED_AT=1 again "real/$log")" " is unchanged$"
-    expect_line "$(ONLY_IF_DUE=yes ASKED_AT=9999999999 again "real/$log")" " is unchanged$"
+    expect_line "$(PLANNED_AT=1 again "real/$log")" " is unchanged$"
+    expect_line "$(ONLY_IF_DUE=yes PLANNED_AT=9999999999 again "real/$log")" " is unchanged$"
     expect_line "$(SUBMIT=env ONLY_IF_DUE=yes again "real/$log")" " is unchanged$"
   done
   unset STEP_LOG
   expect_equal "$(ran_with_features)" ""
   # planned after the other make's run, and by hand
-  ASKED_AT=9999999999 again real/seed0/split >/dev/null
+  PLANNED_AT=9999999999 again real/seed0/split >/dev/null
   again real/seed0/split >/dev/null
   expect_equal "$(ran)" "2 split"
   # another setting, a lost file, and a case that plan cannot decide
   sed -i 's/^neighbours = 4/neighbours = 3/' pipeline/protocol.toml
-  ASKED_AT=1 again real/seed0/smote/train >/dev/null
+  PLANNED_AT=1 again real/seed0/smote/train >/dev/null
   rm results/t/real/tables.md
   ONLY_IF_DUE=yes again real/tabulate >/dev/null
   echo '[' >>pipeline/protocol.toml

@@ -91,21 +91,22 @@ TEST_F(FilesThatAreAskedFor, AreRefusedIfNoStepMakesThem) {
 }
 
 /// A run whose goals draw a picture of their table.
-SmallRun run_with_pictures() {
-  SmallRun run;
-  run.set("[split]",
-          "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
-          "inputs = [\"smote=wdcnn\"]\nkind-inputs = [\"smote=wdcnn\"]\n[split]");
-  run.set("[generate]", "[readings]\nbase = [\"batch=5\"]\nreadings = [\"depth=4\"]\n[generate]");
-  run.set("epochs = 200", "epochs = 200\nbatch = 5\ndepth = 3");
-  run.request.methods = "none smote piae-dt";
-  return run;
-}
+class RunWithPictures : public SmallRun {
+ public:
+  RunWithPictures() {
+    set("[split]",
+        "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
+        "inputs = [\"smote=wdcnn\"]\nkind-inputs = [\"smote=wdcnn\"]\n[split]");
+    set("[generate]", "[readings]\nbase = [\"batch=5\"]\nreadings = [\"depth=4\"]\n[generate]");
+    set("epochs = 200", "epochs = 200\nbatch = 5\ndepth = 3");
+    request.methods = "none smote piae-dt";
+  }
+};
 
 TEST(Plan, NothingIsDueAfterAnyGoal) {
   for (const Goal& goal : goals()) {
     if (goal.add == nullptr) continue;
-    SmallRun run = run_with_pictures();
+    RunWithPictures run;
     run.run(goal.name);
     EXPECT_THAT(run.run(goal.name), IsEmpty()) << goal.name;
   }
@@ -141,7 +142,7 @@ TEST(Goals, AreThoseOfTheMakefile) {
 TEST(Goals, ThatDrawAreThoseOfTheMakefile) {
   const std::vector<std::string> drawing = words_in_makefile("drawing");
   for (const Goal& goal : goals()) {
-    SmallRun run = run_with_pictures();
+    RunWithPictures run;
     const std::vector<Step>& steps = run.plan(goal.name).graph().steps();
     const bool draws = goal.draws || std::ranges::count(steps, "draw", &Step::stage) > 0;
     EXPECT_EQ(std::ranges::count(drawing, goal.name), draws ? 1 : 0) << goal.name;

@@ -13,7 +13,7 @@ refuse() {
   echo "scale.sh: $1; usage: tests/bench/scale/scale.sh PROGRAMS [DATASETSxSEEDS...], such as build/bin 1x10 10x10" >&2
   exit 2
 }
-(($#)) || refuse "it is not said where the programs are"
+(($#)) || refuse "name the folder of the programs"
 [[ -x $1/fill_run ]] || refuse "there is no $1/fill_run (\`make bench-scale\` builds it)"
 programs=$(realpath "$1")
 shift
@@ -69,8 +69,8 @@ fill() { # variables of make
 }
 
 measure() { # name, command...
-  command time --quiet --format='%e %U %S %M' --output=used "${@:2}" >said 2>&1 || {
-    cat said >&2
+  command time --quiet --format='%e %U %S %M' --output=used "${@:2}" >output 2>&1 || {
+    cat output >&2
     exit 1
   }
   # Columns: seconds elapsed, processor time, MB.

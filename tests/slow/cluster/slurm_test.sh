@@ -44,12 +44,12 @@ lose_a_node() {
 }
 
 test_continues_after_slurmctld_was_killed() {
-  srun --quiet --nodes=1 --ntasks=1 bash -c 'sleep 6; echo here' >said &
+  srun --quiet --nodes=1 --ntasks=1 bash -c 'sleep 6; echo here' >output &
   wait_for_job RUNNING
   sleep 4
   restart_ctld
   expect_exit 0 wait $!
-  expect_equal "$(<said)" here
+  expect_equal "$(<output)" here
 }
 
 slurm_up

@@ -16,7 +16,7 @@ start_make() { # make's options; sets `make`, its process id and that of its gro
 expect_failed() {
   local code=0
   wait "$make" || code=$?
-  ((code)) || fail "make says that all is well: $(<messages)"
+  ((code)) || fail "make reports success: $(<messages)"
 }
 
 expect_checkpoint() {

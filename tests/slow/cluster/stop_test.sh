@@ -61,7 +61,7 @@ test_a_life_that_makes_nothing_new_is_not_requeued() {
   scancel --batch --signal=USR1 "${cells}_0"
   wait_for_line cells.0.log 'out of time, goes back'
   begin_again "${cells}_0"
-  until_true "the job began again" has_begun_twice
+  until_true "the job started again" has_started_twice
   sleep 2
   scancel --batch --signal=USR1 "${cells}_0"
   wait_for_line cells.0.log 'this life made nothing new'
@@ -73,17 +73,17 @@ test_a_life_that_makes_nothing_new_is_not_requeued() {
 test_tables_that_take_too_long_are_stopped_at_once() {
   small_grid 2
   rm bin/tabulate
-  printf '#!/bin/bash\ntouch begun\nsleep 20\ntouch ended\nexec %s/tabulate "$@"\n' "$programs" >bin/tabulate
+  printf '#!/bin/bash\ntouch started\nsleep 20\ntouch ended\nexec %s/tabulate "$@"\n' "$programs" >bin/tabulate
   chmod +x bin/tabulate
   cluster cluster METHODS=none SEEDS=0 >/dev/null
   wait_for_line records.log 'status 0: done'
-  wait_for begun
+  wait_for started
   scancel --batch --signal=USR1 "$(id_of tables)"
   wait_for_line tables.log 'status 75: out of time, and this life made nothing new'
   [[ ! -e ended ]] || fail "tabulate was waited for"
 }
 
-has_begun_twice() { (($(lives cells.0.log) == 2)); }
+has_started_twice() { (($(lives cells.0.log) == 2)); }
 
 slurm_up
 run_tests "$@"
