@@ -1,16 +1,16 @@
 #include "cli/stage.hpp"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <spdlog/fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <new>
 
@@ -79,12 +79,15 @@ int fail(const std::string& name, Exit exit, const std::string& line) {
   return static_cast<int>(exit);
 }
 
+/// True unless the caller has closed standard output, because it does not want what is printed.
+bool is_output_wanted() { return ::fcntl(STDOUT_FILENO, F_GETFD) != -1; }
+
 /// Returns the exit code of a program that has done its work. What it printed must have been
 /// written, too: a caller would take a part of it for the whole.
-int ended_well(const std::string& name) {
-  if (std::cout.flush()) return static_cast<int>(Exit::done);
+int ended_well(const std::string& name, bool is_output_wanted) {
+  if (std::cout.flush() || !is_output_wanted) return static_cast<int>(Exit::done);
   return fail(name, Exit::failed,
-              std::string("standard output: cannot be written: ") + std::strerror(errno));
+              "standard output: cannot be written completely; is the disk full?");
 }
 
 /// Reports the start and the resources used if this stage is a step of a run (pipeline/step.sh). On
@@ -167,16 +170,17 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
   keep_freed_memory();
   log_to_stderr(name_);
   const UsageForStep usage;
+  const bool prints = is_output_wanted();
   try {
     app_->parse(argc, argv);
     body();
-    return ended_well(name_);
+    return ended_well(name_, prints);
   } catch (const CLI::CallForHelp&) {
     std::cout << app_->help();
-    return ended_well(name_);
+    return ended_well(name_, prints);
   } catch (const CLI::CallForVersion&) {
     std::cout << app_->version() << '\n';
-    return ended_well(name_);
+    return ended_well(name_, prints);
   } catch (const CLI::FileError& error) {
     return fail(name_, Exit::input_missing, first_line(error.what()));
   } catch (const CLI::ConfigError& error) {

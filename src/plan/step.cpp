@@ -8,7 +8,9 @@ namespace piae::plan {
 
 StepId Graph::add(Step step) {
   const StepId id = steps_.size();
-  if (!named_.emplace(name_of(step), id).second) {
+  const auto [named, is_new] = named_.emplace(name_of(step), id);
+  if (!is_new) {
+    if (steps_[named->second].outputs == step.outputs) return named->second;
     throw std::logic_error("two steps of a plan are named " + name_of(step));
   }
   std::vector<StepId> needed;

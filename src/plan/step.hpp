@@ -81,7 +81,8 @@ inline std::string log_of(const Step& step) { return name_of(step) + ".log"; }
 /// The steps of a run, each after all steps that it needs.
 class Graph {
  public:
-  /// Throws std::logic_error if another step has the same name.
+  /// Returns the existing step if two goals add the same one. Throws std::logic_error if a step
+  /// with other outputs has the same name.
   StepId add(Step step);
 
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }

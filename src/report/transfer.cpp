@@ -272,7 +272,7 @@ AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows) {
   for (const AccuracyRow& row : rows) {
     if (row.seeds != mean.seeds) {
       throw Error(Exit::bad_input, run::name_by(row.method, row.classifier) + ": " + row.dataset +
-                                       " has the seeds " + seed_list(row.seeds) + ", and " +
+                                       " has the seeds " + seed_list(row.seeds) + ", but " +
                                        rows.front().dataset + " has " + seed_list(mean.seeds) +
                                        "; a mean over data sets needs the same for all");
     }

@@ -58,11 +58,11 @@ TEST_F(IdentifiabilityFigure, NamesMissingWindowsOrTables) {
   add_known_windows(true);
   Source one = source("piae-dt", "10to1", "0");
   EXPECT_THROW(identifiability(one), LeftOut);
-  EXPECT_ERROR(identifiability(one), Exit::input_missing, "(make identify): no scatter.csv");
+  EXPECT_ERROR(identifiability(one), Exit::input_missing, "run `make identify`: no scatter.csv");
   add_tables();
   std::filesystem::remove(layout_.identifiability_csv());
   EXPECT_ERROR(identifiability(one), Exit::input_missing,
-               "(make identify): no identifiability.csv");
+               "run `make identify`: no identifiability.csv");
 }
 
 TEST_F(IdentifiabilityFigure, RefusesATableWithoutANeededColumn) {

@@ -42,7 +42,7 @@ TEST_F(FilesThatAreAskedFor, CanBePictures) {
   EXPECT_THAT(steps_of(picture, Stretch::pictures), ElementsAre("real/figures/gains.svg"));
   EXPECT_THAT(steps_of(picture, Stretch::pages), IsEmpty());
   EXPECT_THAT(steps_of(picture + " figures", Stretch::pictures),
-              ElementsAre("real/figures/gains", "real/figures/scatter"));
+              ElementsAre("real/figures/gains.svg", "real/figures/scatter.svg"));
   EXPECT_THAT(steps_of("results/t/real/figures/gains.csv", Stretch::pictures), IsEmpty());
 }
 
@@ -50,7 +50,7 @@ TEST_F(FilesThatAreAskedFor, CanBePages) {
   const std::string page = "results/t/report.html";
   EXPECT_THAT(steps_of(page, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(page, Stretch::pictures),
-              ElementsAre("real/figures/gains", "real/figures/scatter"));
+              ElementsAre("real/figures/gains.svg", "real/figures/scatter.svg"));
   EXPECT_THAT(steps_of(page, Stretch::pages), ElementsAre("report"));
 }
 
@@ -98,7 +98,7 @@ class RunWithPictures : public SmallRun {
         "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"
         "inputs = [\"smote=wdcnn\"]\nkind-inputs = [\"smote=wdcnn\"]\n[split]");
     set("[generate]", "[readings]\nbase = [\"batch=5\"]\nreadings = [\"depth=4\"]\n[generate]");
-    set("epochs = 200", "epochs = 200\nbatch = 5\ndepth = 3");
+    set("epochs = 200", "epochs = 200\nbatch = 5\ndepth = 3\n[sweep]\npoints = [\"batch=1\"]");
     request.methods = "none smote piae-dt";
   }
 };
@@ -114,9 +114,11 @@ TEST(Plan, NothingIsDueAfterAnyGoal) {
 
 TEST(Graph, RefusesTwoStepsOfOneName) {
   Graph graph;
-  graph.add({.stage = "readings", .folder = "results/t", .log = "readings"});
-  EXPECT_THROW(graph.add({.stage = "draw", .folder = "results/t", .log = "readings"}),
-               std::logic_error);
+  const Step table{.stage = "readings", .folder = "t", .log = "readings", .outputs = {"t/a.csv"}};
+  EXPECT_EQ(graph.add(table), graph.add(table));
+  EXPECT_THROW(
+      graph.add({.stage = "draw", .folder = "t", .log = "readings", .outputs = {"t/a.svg"}}),
+      std::logic_error);
 }
 
 TEST(Goals, AFolderIsNotAFileOfAGoal) {

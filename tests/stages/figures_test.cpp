@@ -79,7 +79,7 @@ TEST(FiguresOfNothing, AreAnError) {
   fs::create_directories(tiny / "run/tiny");
   const Outcome outcome = tiny.run("figures", figures_of({}));
   EXPECT_EQ(outcome.status, 66);
-  EXPECT_EQ(outcome.err, "figures: run/tiny: holds no cell\n");
+  EXPECT_EQ(outcome.err, "figures: run/tiny: holds no cell; run `make cells`\n");
 }
 
 Arguments report_of(const Arguments& requested) {

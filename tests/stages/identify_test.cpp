@@ -55,7 +55,7 @@ TEST_F(IdentifyStage, NamesAMissingModel) {
 TEST_F(IdentifyStage, RefusesAModelOfAnotherPlace) {
   fs::copy(tiny_ / "run/tiny/seed0", tiny_ / "run/tiny/seed1", fs::copy_options::recursive);
   expect_refusal(tiny_.run("identify", with(identify, "--seeds", "1")), "identify", 65,
-                 {"run/tiny/seed1/piae-dt/model.h5", "seed 0; here it must be piae-dt, seed 1"});
+                 {"run/tiny/seed1/piae-dt/model.h5", "seed 0, but must have piae-dt, seed 1"});
 }
 
 TEST_F(IdentifyStage, RefusesAMethodThatDoesNotInfer) {

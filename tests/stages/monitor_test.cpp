@@ -199,7 +199,7 @@ TEST_F(Monitored, OtherFormatsSayTheSame) {
   EXPECT_EQ(wav.out, printed);
   EXPECT_THAT(wav.err, HasSubstr("nothing lost"));
   expect_refusal(monitor({"--format", "wav", "--sample-rate-hz", "24000"}, piped), "monitor", 65,
-                 {"standard input", "12000 Hz", "--sample-rate-hz 24000"});
+                 {"standard input", "12000 Hz", "--sample-rate-hz is 24000"});
   expect_refusal(monitor({"--input", "raw.f32", "--format", "wav"}), "monitor", 65,
                  {"raw.f32", "does not begin like WAV"});
 }
@@ -259,7 +259,7 @@ TEST_F(Monitored, WhatIsWrongWithTheStreamNamesTheStream) {
   EXPECT_THAT(monitor({"--format", "text"}, piped).err,
               StartsWith("monitor: standard input, line 1: 't,acc' is not a number; "));
   EXPECT_THAT(monitor({"--speed-rpm", "1200"}, piped).err,
-              StartsWith("monitor: standard input: is of 1200 rpm"));
+              StartsWith("monitor: standard input: was recorded at 1200 rpm"));
   piped.input = tiny_ / "empty.f32";
   EXPECT_THAT(monitor({}, piped).err, StartsWith("monitor: standard input: ended after 0 samples"));
 }

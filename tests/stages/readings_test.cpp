@@ -39,7 +39,7 @@ class ReadingsStage : public testing::Test {
 TEST_F(ReadingsStage, MakesTheTables) {
   const Outcome outcome = tiny_.run("readings", readings);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "tabulated 2 readings: run/tiny/readings.md\n");
+  EXPECT_EQ(outcome.out, "tabulated 2 interpretations: run/tiny/readings.md\n");
   const std::string csv = bytes_of(tiny_ / "run/tiny/readings.csv");
   for (const std::string row :
        {"base,accuracy,50to1", "base,nearest,50to1", "a=b,mmd,", "a=b,L_DDL,",

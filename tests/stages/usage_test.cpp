@@ -33,7 +33,7 @@ TEST_P(Usage, FailsWhenTheOutputCannotBeWritten) {
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(
       bytes_of(folder / "err"),
-      std::string(GetParam()) + ": standard output: cannot be written: No space left on device\n");
+      std::string(GetParam()) + ": standard output: cannot be written completely; is the disk full?\n");
 }
 
 TEST_P(Usage, WithoutArgumentsIsAUsageError) {
