@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   bool sources = false;
   bool check = false;
   stage.input_file("--description", file, "Dataset description (TOML)");
-  stage.input_file("--data-dir", data_dir, "Folder of the files in the description")
+  stage.input_file("--data-dir", data_dir, "Folder with the files that --description names")
       .required(false);
   stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")
       .required(false);

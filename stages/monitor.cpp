@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   monitor::MonitorOptions options;
   monitor::WatchOptions watching;
   stage.input_file("--classifier", classifier_file,
-                   "classifier.h5 made by diagnose --keep-classifier");
+                   "trained classifier, classifier.h5 of diagnose --keep-classifier");
   stage.input_file("--input", input_file, "raw samples; -: standard input").required(false);
   stage.file_flag("--follow", follow, "--input is a file that grows: wait for more at its end");
   bind(stage.options(), options);

@@ -171,7 +171,7 @@ std::vector<std::int64_t> Held::seeds_with(
 
 void bind_leave_out(const cli::Options& command, std::vector<std::string>& leave_out) {
   command.add("--leave-out", leave_out,
-              "Files and folders of the dataset that are out of date, such as "
+              "Stale files and folders of the dataset, such as "
               "seed1/smote; tables and figures leave them out");
 }
 

@@ -151,7 +151,7 @@ test_a_fault_of_another_part_of_the_machine() {
   expect_no_line "$(<messages)" BPFO
   make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none shift" RATIOS="100to1 10to1" SEEDS=0 \
     CLASSIFIERS="wdcnn nearest" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
-  expect_line "$(<results/new/rig/seed0/shift/score.log)" "no fault line of inner-1, outer-1, as the defect is 'other'"
+  expect_line "$(<results/new/rig/seed0/shift/score.log)" "without fault line: inner-1, outer-1, because the defect is 'other'"
   expect_no_line "$(<messages)" warning
   expect_line "$(<results/new/rig/accuracy.csv)" '^rig,shift,wdcnn,10to1,45,1,'
   bin/verify results/new/rig/records.h5 results/new/rig/seed0/*/*.h5 || fail "not verified"
@@ -176,7 +176,7 @@ test_a_defect_of_unknown_size() {
   run_rig METHODS="none shift" RATIOS="100to1 10to1" >messages 2>&1 || fail "$(<messages)"
   bin/train --method piae-dt --known results/new/rig/seed0/C.h5 --seed 0 --output m.h5 >messages 2>&1 &&
     fail "trained without a size"
-  expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; methods that do without: smote, '
+  expect_line "$(<messages)" 'C.h5: piae-dt needs defect_size_mm of class inner-1, .*; use a method that does not need it: smote, '
 }
 
 run_tests "$@"
