@@ -142,7 +142,7 @@ TEST(JournalOfARun, LosesNothingAddedDuringCompaction) {
   }
 }
 
-TEST(LookOfAFile, ChangesWithTheFile) {
+TEST(StatOfAFile, ChangesWithTheFile) {
   const Folder folder;
   folder.write("a", "1");
   const auto before = stat_of(folder / "a");

@@ -31,7 +31,7 @@ Samples sine(double per_sample, double amplitude, std::size_t count) {
   return samples;
 }
 
-TEST(GoesOneWay, HoldsForATimeButNotForAVibration) {
+TEST(Monotonic, HoldsForATimeButNotForAVibration) {
   Samples time;
   for (int i = 0; i < 5000; ++i) time.push_back(0.3 + i / 51200.0);
   EXPECT_TRUE(goes_one_way(time));

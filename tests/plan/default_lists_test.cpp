@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-class ListsThatNobodyGives : public testing::Test {
+class DefaultLists : public testing::Test {
  protected:
   [[nodiscard]] Lists of(const std::vector<std::string>& goals) const {
     return default_lists(read_experiment(run_.pipeline.path()), goals);
@@ -21,7 +21,7 @@ class ListsThatNobodyGives : public testing::Test {
   SmallRun run_;
 };
 
-TEST_F(ListsThatNobodyGives, AreThePapersGridAndOurRecommendations) {
+TEST_F(DefaultLists, AreThePapersGridAndOurRecommendations) {
   const Lists lists = of({"all"});
   EXPECT_THAT(lists.datasets, ElementsAre("cwru"));
   EXPECT_THAT(lists.methods, SizeIs(12));
@@ -33,20 +33,20 @@ TEST_F(ListsThatNobodyGives, AreThePapersGridAndOurRecommendations) {
   EXPECT_THAT(lists.seeds, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
 }
 
-TEST_F(ListsThatNobodyGives, UseTheSeedsOfChoicesForReadings) {
+TEST_F(DefaultLists, UseTheSeedsOfChoicesForReadings) {
   const Lists lists = of({"readings"});
   EXPECT_THAT(lists.datasets, ElementsAre("cwru", "hit-sm", "simulated"));
   EXPECT_THAT(lists.methods, ElementsAre("piae-dt"));
   EXPECT_THAT(lists.seeds, ElementsAre(100, 101, 102, 103, 104));
 }
 
-TEST_F(ListsThatNobodyGives, AreSimulatedForAnIdentification) {
+TEST_F(DefaultLists, AreSimulatedForAnIdentification) {
   EXPECT_THAT(of({"identify"}).datasets, ElementsAre("simulated"));
   EXPECT_THAT(of({"identify"}).methods, ElementsAre("piae-dt", "piae-dt-phase"));
   EXPECT_THAT(of({"identify", "all"}).datasets, ElementsAre("cwru"));
 }
 
-TEST_F(ListsThatNobodyGives, CoverTheGroupsForATransfer) {
+TEST_F(DefaultLists, CoverTheGroupsForATransfer) {
   EXPECT_ERROR((void)of({"transfer"}), Exit::usage, "does not name a group of data sets");
   run_.set("[diagnose]",
            "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\n"

@@ -22,7 +22,7 @@ std::vector<std::string> unknown_in(const Folder& pipeline) {
   return names;
 }
 
-TEST(TheExperiment, IsThatOfPipeline) {
+TEST(Experiments, IsThatOfPipeline) {
   const Experiment own = read_experiment(std::filesystem::path(PIAE_SOURCE) / "pipeline");
   ASSERT_NE(own.find("simulated"), nullptr);
   EXPECT_TRUE(own.find("simulated")->is_simulated);
@@ -36,7 +36,7 @@ TEST(TheExperiment, IsThatOfPipeline) {
   EXPECT_EQ(own.find("nowhere"), nullptr);
 }
 
-TEST(TheExperiment, AcceptsBrokenDescriptionsUntilTheyAreRequested) {
+TEST(Experiments, AcceptsBrokenDescriptionsUntilTheyAreRequested) {
   const Folder pipeline;
   pipeline.write("protocol.toml", "");
   pipeline.write("datasets/broken.toml", "name = \n");
@@ -53,7 +53,7 @@ TEST(TheExperiment, AcceptsBrokenDescriptionsUntilTheyAreRequested) {
                "broken.toml, line 1: not valid TOML");
 }
 
-TEST(TheExperiment, KnowsDataSetsWithoutKnownFaultWindows) {
+TEST(Experiments, KnowsDataSetsWithoutKnownFaultWindows) {
   const Folder pipeline;
   pipeline.write("protocol.toml", "");
   pipeline.write("datasets/five.toml", "name = \"five\"\n[split]\nknown-per-class = 5\n");

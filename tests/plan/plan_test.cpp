@@ -15,9 +15,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A finished small run with two tables of figures.
-class FilesThatAreAskedFor : public testing::Test {
+class RequestedFiles : public testing::Test {
  protected:
-  FilesThatAreAskedFor() {
+  RequestedFiles() {
     run_.run();
     run_.disk.files["results/t/real/figures/gains.csv"] = {.digest = "1"};
     run_.disk.files["results/t/real/figures/scatter.csv"] = {.digest = "2"};
@@ -35,7 +35,7 @@ class FilesThatAreAskedFor : public testing::Test {
   SmallRun run_;
 };
 
-TEST_F(FilesThatAreAskedFor, CanBePictures) {
+TEST_F(RequestedFiles, CanBePictures) {
   const std::string picture = "results/t/real/figures/gains.svg";
   EXPECT_THAT(steps_of(picture, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(picture, Stretch::numbers), ElementsAre("real/figures", "made/figures"));
@@ -46,7 +46,7 @@ TEST_F(FilesThatAreAskedFor, CanBePictures) {
   EXPECT_THAT(steps_of("results/t/real/figures/gains.csv", Stretch::pictures), IsEmpty());
 }
 
-TEST_F(FilesThatAreAskedFor, CanBePages) {
+TEST_F(RequestedFiles, CanBePages) {
   const std::string page = "results/t/report.html";
   EXPECT_THAT(steps_of(page, Stretch::grid), IsEmpty());
   EXPECT_THAT(steps_of(page, Stretch::pictures),
@@ -54,7 +54,7 @@ TEST_F(FilesThatAreAskedFor, CanBePages) {
   EXPECT_THAT(steps_of(page, Stretch::pages), ElementsAre("report"));
 }
 
-TEST_F(FilesThatAreAskedFor, AddTheStretchesTheyNeed) {
+TEST_F(RequestedFiles, AddTheStretchesTheyNeed) {
   const auto needed = [&](const std::string& goals) {
     std::vector<Stretch> needed;
     for (const Stretch stretch : stretches) {
@@ -69,11 +69,11 @@ TEST_F(FilesThatAreAskedFor, AddTheStretchesTheyNeed) {
               ElementsAre(Stretch::grid, Stretch::numbers, Stretch::pictures, Stretch::pages));
 }
 
-TEST_F(FilesThatAreAskedFor, CanHaveUnusualPaths) {
+TEST_F(RequestedFiles, CanHaveUnusualPaths) {
   EXPECT_THAT(steps_of("results/t//real/./records.h5", Stretch::grid), ElementsAre("real/ingest"));
 }
 
-TEST_F(FilesThatAreAskedFor, AreRefusedIfNoStepMakesThem) {
+TEST_F(RequestedFiles, AreRefusedIfNoStepMakesThem) {
   const std::vector<std::pair<std::string, Stretch>> unknown{
       {"results/t/real/other.h5", Stretch::grid},
       {"results/t/report.docx", Stretch::grid},

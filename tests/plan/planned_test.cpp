@@ -95,7 +95,7 @@ TEST_F(TableOnTheDisk, IsNotRecordedIfAnotherMakeWroteTheSettings) {
   EXPECT_TRUE(notes());
 }
 
-TEST(FilesThatAStepRead, CountAsChangedSinceItStarted) {
+TEST(FilesReadByAStep, CountAsChangedSinceItStarted) {
   const Times times{.started_s = 100, .now_s = 200};
   EXPECT_FALSE(lies_in(times, 99));
   EXPECT_TRUE(lies_in(times, 150));

@@ -6,7 +6,7 @@
 namespace piae::run {
 namespace {
 
-class LayoutOfBefore : public StoredRun {
+class OldLayout : public StoredRun {
  protected:
   [[nodiscard]] Layout layout_now() const { return {folder_.path() / "run", dataset_}; }
   void expect_refused(const std::string& cell) const {
@@ -20,7 +20,7 @@ class LayoutOfBefore : public StoredRun {
   }
 };
 
-TEST_F(LayoutOfBefore, IsRefused) {
+TEST_F(OldLayout, IsRefused) {
   add_all();
   expect_refused("seed1/vae/2to1/diagnosis.h5");
   expect_refused("seed0/sweep/batch-1/1to1/diagnosis.h5");
@@ -28,7 +28,7 @@ TEST_F(LayoutOfBefore, IsRefused) {
   expect_refused("seed100/readings/base/10to1/diagnosis.h5");
 }
 
-TEST_F(LayoutOfBefore, HasDiagnosesInTheFolderOfARatio) {
+TEST_F(OldLayout, HasDiagnosesInTheFolderOfARatio) {
   add_all();
   folder_.write("run/cwru/seed0/vae/2to1/diagnose.log", "");  // allowed: not a cell
   folder_.write("run/cwru/seed0/vae/diagnosis.h5", "");

@@ -31,9 +31,9 @@ TEST_P(Usage, FailsWhenTheOutputCannotBeWritten) {
   const std::string help = std::string(PIAE_BIN) + '/' + GetParam() + " --help >/dev/full 2>";
   const int status = std::system((help + (folder / "err").string()).c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
-  EXPECT_EQ(
-      bytes_of(folder / "err"),
-      std::string(GetParam()) + ": standard output: cannot be written completely; is the disk full?\n");
+  EXPECT_EQ(bytes_of(folder / "err"),
+            std::string(GetParam()) +
+                ": standard output: cannot be written completely; is the disk full?\n");
 }
 
 TEST_P(Usage, WithoutArgumentsIsAUsageError) {

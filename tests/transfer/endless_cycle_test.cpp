@@ -26,7 +26,7 @@ TEST(EndlessCycle, StartsAtAnImpactAndHoldsWholePeriods) {
   for (std::size_t i = 0; i < 200; ++i) EXPECT_NEAR(endless.samples[i], window[17 + i % 50], 1e-9);
 }
 
-TEST(Turned, ContinuesInTheSecondWindowAtTheSameRate) {
+TEST(RotatedWindows, ContinuesInTheSecondWindowAtTheSameRate) {
   const EndlessCycle low = endless_cycle_of(pulses(17, 50, 1, 256), {.first = 17, .period = 50});
   const EndlessCycle high = endless_cycle_of(pulses(40, 50, 9, 256), {.first = 40, .period = 50});
   bool both = false;
@@ -51,7 +51,7 @@ TEST(Turned, ContinuesInTheSecondWindowAtTheSameRate) {
   EXPECT_TRUE(both);
 }
 
-TEST(Turned, KeepsAPeriodOfFractionalSamples) {
+TEST(RotatedWindows, KeepsAPeriodOfFractionalSamples) {
   const std::vector<double> silence(256, 0.0);
   const EndlessCycle first = endless_cycle_of(silence, {.first = 1, .period = 7.0 / 3});
   const EndlessCycle second = endless_cycle_of(silence, {.first = 0, .period = 7.25 / 3});
@@ -81,7 +81,7 @@ TEST(EndlessCycle, UsesTheStretchOfHighestRms) {
   EXPECT_GT(*std::ranges::max_element(one.samples), 0.99);
 }
 
-TEST(Turned, ShiftsAWindowWithoutAWholePeriodCircularly) {
+TEST(RotatedWindows, ShiftsAWindowWithoutAWholePeriodCircularly) {
   std::vector<double> window(64);
   for (std::size_t i = 0; i < 64; ++i) window[i] = static_cast<double>(i);
   const EndlessCycle endless = endless_cycle_of(window, {.first = 20, .period = 100});
