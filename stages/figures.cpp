@@ -37,7 +37,7 @@ bool save(figures::Source& source, const figures::Figure& figure) {
 run::Grid requested_cells(const run::Layout& layout, const run::GridOptions& options) {
   const bool nothing = options.methods.empty() && options.ratios.empty() && options.seeds.empty() &&
                        options.classifiers.empty();
-  if (!nothing) return resolve_started(layout, options);
+  if (!nothing) return run::Started(layout).resolve(options);
   return {.dataset = options.dataset, .scored = {}, .combinations = {}, .seeds = {}};
 }
 

@@ -214,7 +214,9 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& requested,
   contents.grid = std::move(collected.grid);
   contents.results = std::move(collected.results);
   contents.rows = report::accuracy_rows(contents.grid, contents.results, published);
-  contents.recommendations = report::recommendations(contents.rows, contents.results);
+  contents.tables = report::report_tables(contents.rows, contents.results,
+                                          report::recommendations(contents.rows, contents.results),
+                                          contents.grid.seeds.size());
   contents.verdict = report::verdict(contents.results, contents.rows);
   const std::string conditions = report::conditions_note(contents.results);
   if (!conditions.empty()) contents.verdict.insert(contents.verdict.begin(), conditions);

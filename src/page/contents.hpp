@@ -10,7 +10,7 @@
 
 #include "page/requested_cells.hpp"
 #include "report/accuracies.hpp"
-#include "report/recommendation.hpp"
+#include "report/report_tables.hpp"
 #include "run/collect.hpp"
 #include "run/layout.hpp"
 #include "scoring/accuracy.hpp"
@@ -85,8 +85,8 @@ struct DatasetContents {
   std::vector<MissingCell> missing_cells = {};
   std::vector<report::AccuracyRow> rows = {};  ///< accuracies, percent, by any classifier
   std::vector<std::string> verdict = {};       ///< sentences; the conditions come first
-  std::vector<report::Recommendation> recommendations = {};  ///< by ratio
-  std::string records_digest = {};                           ///< empty without records
+  report::ReportTables tables = {};
+  std::string records_digest = {};   ///< empty without records
   std::string records_problem = {};  ///< why the records cannot be read; empty if they can
   std::vector<RecordInput> records = {};
 };

@@ -199,11 +199,10 @@ Figures without_attachments(Figures figures) {
 /// Returns a section for each classifier, the first with the verdict, and one with the recommended
 /// method.
 std::vector<report::Section> sections_of(const DatasetContents& contents) {
-  std::vector<report::Section> sections =
-      report::overview_sections(contents.rows, contents.grid.seeds.size());
+  std::vector<report::Section> sections = contents.tables.overview;
   if (!sections.empty()) sections.front().findings = contents.verdict;
-  std::vector<report::Section> last = report::recommendation_sections(contents.recommendations);
-  if (!last.empty()) sections.push_back(std::move(last.front()));
+  const std::vector<report::Section>& last = contents.tables.recommendation;
+  if (!last.empty()) sections.push_back(last.front());
   return sections;
 }
 
@@ -268,7 +267,7 @@ ReportContents read_report(const std::filesystem::path& run, const RequestedCell
                            const report::Published& published) {
   ReportContents contents;
   for (const std::string& name : datasets_of(run, requested)) {
-    const run::Grid grid = grid_of(run::Layout(run, name), name, requested);
+    const run::Grid grid = grid_of(run::Started(run::Layout(run, name)), name, requested);
     contents.datasets.push_back(read_dataset(run, grid, requested.left_out_of(name), published));
     contents.figures.push_back(read_figures(run, name));
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "run/started.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::page {
@@ -31,19 +30,20 @@ std::vector<std::string> requested_datasets(const RequestedCells& requested) {
 }
 
 /// True if only `make identify` left the models of this dataset.
-bool was_only_identified(const run::Layout& layout) {
-  return fs::is_regular_file(layout.identifiability_csv()) && !run::holds_cells(layout);
+bool was_only_identified(const run::Started& started) {
+  return fs::is_regular_file(started.layout().identifiability_csv()) && !started.has_cells();
 }
 
 /// True if the report includes a dataset that the user did not name. Warns about a dataset that was
 /// tried but has no started method: nothing records which of its cells are missing.
-bool is_reported(const run::Layout& layout) {
-  if (!run::methods_started(layout).empty()) return !was_only_identified(layout);
-  if (!layout.seeds().empty() || fs::exists(layout.folder() / "ingest.log")) {
+bool is_reported(const run::Started& started) {
+  if (!started.methods().empty()) return !was_only_identified(started);
+  const fs::path folder = started.layout().folder();
+  if (!started.seeds().empty() || fs::exists(folder / "ingest.log")) {
     spdlog::warn(
         "{}: no method was started, so the report leaves it out; name it in --datasets to include "
         "it",
-        layout.folder().string());
+        folder.string());
   }
   return false;
 }
@@ -76,7 +76,7 @@ std::vector<std::string> datasets_of(const fs::path& run, const RequestedCells& 
   std::vector<std::string> datasets = requested_datasets(requested);
   for (const std::string& name : folders_in(run)) {
     const bool is_named = std::ranges::count(datasets, name) != 0;
-    if (!is_named && is_reported(run::Layout(run, name))) datasets.push_back(name);
+    if (!is_named && is_reported(run::Started(run::Layout(run, name)))) datasets.push_back(name);
   }
   std::ranges::sort(datasets);
   if (datasets.empty()) {
@@ -86,7 +86,7 @@ std::vector<std::string> datasets_of(const fs::path& run, const RequestedCells& 
   return datasets;
 }
 
-run::Grid grid_of(const run::Layout& layout, const std::string& dataset,
+run::Grid grid_of(const run::Started& started, const std::string& dataset,
                   const RequestedCells& requested) {
   const std::vector<std::string> datasets = requested_datasets(requested);
   if (!datasets.empty() && std::ranges::count(datasets, dataset) == 0) {
@@ -95,10 +95,10 @@ run::Grid grid_of(const run::Layout& layout, const std::string& dataset,
   run::GridOptions cells = requested.cells;
   cells.dataset = dataset;
   // Without a started cell, no folder records the requested ratios.
-  if (cells.ratios.empty() && !run::holds_cells(layout)) {
+  if (cells.ratios.empty() && !started.has_cells()) {
     cells.ratios = every_ratio();
   }
-  return run::resolve_started(layout, cells);
+  return started.resolve(cells);
 }
 
 }  // namespace piae::page

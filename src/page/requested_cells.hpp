@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "run/grid.hpp"
-#include "run/layout.hpp"
+#include "run/started.hpp"
 
 namespace piae::page {
 
@@ -29,11 +29,11 @@ void bind(const cli::Options& command, RequestedCells& requested);
 std::vector<std::string> datasets_of(const std::filesystem::path& run,
                                      const RequestedCells& requested);
 
-/// Returns the requested cells of one dataset; see run::resolve_started(). Uses every ratio if none
-/// is requested and none was started. Returns an empty grid if other datasets are requested but not
-/// this one. Throws Error(usage) as run::resolve() does, and Error(input_missing) if nothing is
-/// requested and the folder is empty.
-run::Grid grid_of(const run::Layout& layout, const std::string& dataset,
+/// Returns the requested cells of one dataset; see run::Started::resolve(). Uses every ratio if
+/// none is requested and none was started. Returns an empty grid if other datasets are requested
+/// but not this one. Throws Error(usage) as run::resolve() does, and Error(input_missing) if
+/// nothing is requested and the folder is empty.
+run::Grid grid_of(const run::Started& started, const std::string& dataset,
                   const RequestedCells& requested);
 
 }  // namespace piae::page

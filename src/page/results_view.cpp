@@ -1,11 +1,7 @@
 #include "page/results_view.hpp"
 
 #include "page/table.hpp"
-#include "report/accuracy_table.hpp"
-#include "report/decisions_table.hpp"
 #include "report/paper.hpp"
-#include "report/recall_table.hpp"
-#include "report/recommendation_tables.hpp"
 
 namespace piae::page {
 
@@ -16,7 +12,7 @@ using Sections = std::vector<report::Section>;
 Html no_diagnosis() { return element("p", "There is no diagnosis yet."); }
 
 /// Places tables next to each other if the window is wide enough.
-Html beside_each_other(const Sections& sections) {
+Html side_by_side(const Sections& sections) {
   Html tables;
   for (const report::Section& section : sections) tables += element("div", html(section));
   return element("div", {{"class", "pair"}}, tables);
@@ -43,37 +39,28 @@ Html accuracy_view(const DatasetContents& contents) {
     view += element("p", reference.counterpart()->caution);
   }
   if (contents.rows.empty()) return view + no_diagnosis();
-  for (const report::ClassifierRows& block : report::by_classifier(contents.rows)) {
-    view += beside_each_other(report::ratio_sections(block, contents.grid.seeds.size()));
-  }
+  for (const Sections& sections : contents.tables.accuracy) view += side_by_side(sections);
   return view;
 }
 
 Html recall_view(const DatasetContents& contents) {
-  const Sections sections = report::recall_sections(contents.rows, contents.results);
-  return sections.empty() ? no_diagnosis() : html(sections.front());
+  const Sections& recall = contents.tables.recall;
+  return recall.empty() ? no_diagnosis() : html(recall.front());
 }
 
 Html decisions_view(const DatasetContents& contents) {
   if (contents.rows.empty()) return no_diagnosis();
   Html view;
-  const std::string gap = report::decisions_gap(contents.results);
+  const std::string& gap = contents.tables.decisions_gap;
   if (!gap.empty()) view += element("p", gap);
-  for (const report::ClassifierRows& block : report::by_classifier(contents.rows)) {
-    Sections sections = report::decision_sections(block, contents.results);
-    for (report::Section& each : report::confidence_sections(block, contents.results)) {
-      sections.push_back(std::move(each));
-    }
-    for (report::Section& section : sections) section.title += ", by " + block.classifier;
-    view += beside_each_other(sections);
-  }
+  for (const Sections& sections : contents.tables.decisions) view += side_by_side(sections);
   return view;
 }
 
 Html recommendation_view(const DatasetContents& contents) {
-  const Sections sections = report::recommendation_sections(contents.recommendations);
+  const Sections& sections = contents.tables.recommendation;
   if (sections.empty()) return no_diagnosis();
-  return sentences_view(sections.front().findings) + beside_each_other(sections);
+  return sentences_view(sections.front().findings) + side_by_side(sections);
 }
 
 }  // namespace piae::page

@@ -125,14 +125,14 @@ TEST_F(CellsOfClassifiers, DefaultToTheStartedOnes) {
   add_all();
   const GridOptions nothing_requested{
       .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 3U);
+  EXPECT_EQ(names_of(Started(layout_).resolve(nothing_requested)).size(), 3U);
   // The baseline's own cell does not add such cells to other methods.
   add_reference();
   EXPECT_THAT(
-      names_of(resolve_started(layout_, nothing_requested)),
+      names_of(Started(layout_).resolve(nothing_requested)),
       ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "vae 2to1 wdcnn", "none 100to1 nearest"));
   add(by("wdcnn-spectrum", diagnosis("vae", "2to1", 145, 1, 20)));
-  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
+  EXPECT_THAT(names_of(Started(layout_).resolve(nothing_requested)),
               ElementsAre("none 100to1 wdcnn", "vae 10to1 wdcnn", "vae 2to1 wdcnn",
                           "none 100to1 wdcnn-spectrum", "vae 10to1 wdcnn-spectrum",
                           "vae 2to1 wdcnn-spectrum", "none 100to1 nearest"));
@@ -143,9 +143,9 @@ TEST_F(CellsOfClassifiers, AreNotStartedIfOnlyTheClassifierIsKept) {
   folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/classifier.h5", "");
   const GridOptions nothing_requested{
       .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 3U);
+  EXPECT_EQ(names_of(Started(layout_).resolve(nothing_requested)).size(), 3U);
   folder_.write("run/cwru/seed0/vae/2to1/wdcnn-spectrum/diagnose.log", "");
-  EXPECT_EQ(names_of(resolve_started(layout_, nothing_requested)).size(), 7U);
+  EXPECT_EQ(names_of(Started(layout_).resolve(nothing_requested)).size(), 7U);
 }
 
 /// Without known faults a run may have only rules and symptom-net.
@@ -153,10 +153,10 @@ TEST_F(CellsOfClassifiers, MayBeStartedWithoutThePapersClassifier) {
   add(by("symptom-net", diagnosis("vae", "2to1", 145, 1, 20)));
   const GridOptions nothing_requested{
       .dataset = dataset_, .methods = {}, .ratios = {}, .seeds = {}};
-  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
+  EXPECT_THAT(names_of(Started(layout_).resolve(nothing_requested)),
               ElementsAre("vae 2to1 symptom-net"));
   folder_.write("run/cwru/seed1/vae/2to1/wdcnn/diagnose.log", "");
-  EXPECT_THAT(names_of(resolve_started(layout_, nothing_requested)),
+  EXPECT_THAT(names_of(Started(layout_).resolve(nothing_requested)),
               ElementsAre("vae 2to1 wdcnn", "vae 2to1 symptom-net"));
 }
 
