@@ -226,8 +226,8 @@ DatasetContents read_dataset(const fs::path& run, const run::Grid& requested,
 }
 
 std::string counted_cells(std::size_t diagnoses, std::size_t scores) {
-  const std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
-  const std::string second = report::counted(scores, "score");
+  std::string first = fmt::format("{} diagnos{}", diagnoses, diagnoses == 1 ? "is" : "es");
+  std::string second = report::counted(scores, "score");
   if (scores == 0) return first;
   return diagnoses == 0 ? second : first + " and " + second;
 }

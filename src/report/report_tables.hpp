@@ -18,7 +18,7 @@ struct ReportTables {
   Sections overview = {};                ///< one for each classifier
   std::vector<Sections> accuracy = {};   ///< for each classifier: ratio_sections()
   Sections recall = {};                  ///< none or one
-  std::string decisions_gap = {};        ///< why there are no decisions; see decisions_gap()
+  std::string decisions_gap = {};        ///< reason for missing decisions; see decisions_gap()
   std::vector<Sections> decisions = {};  ///< for each classifier: decisions and confidence
   Sections recommendation = {};
 };

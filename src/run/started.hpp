@@ -22,9 +22,9 @@ class Started {
   explicit Started(Layout layout);
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  /// In ascending order.
+  /// Returns the seeds, ascending.
   [[nodiscard]] const std::vector<std::int64_t>& seeds() const { return seeds_; }
-  /// In the order of the catalogue.
+  /// Returns the methods, in the order of the catalogue.
   [[nodiscard]] const std::vector<std::string>& methods() const { return methods_; }
   /// True if any diagnosis has started.
   [[nodiscard]] bool has_cells() const { return !ratios_of(methods_).empty(); }
