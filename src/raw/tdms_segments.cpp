@@ -106,6 +106,15 @@ class Metadata {
     return type->read(bytes_, at_ - type->size, big_endian_);
   }
 
+  /// Requires the values to follow. Writers may align them with zeros; other bytes are metadata
+  /// that a damaged count or offset skips.
+  void require_end() const {
+    const auto rest = bytes_.subspan(at_);
+    if (std::ranges::any_of(rest, [](std::byte b) { return b != std::byte{0}; })) {
+      refuse("its metadata do not end where its values begin");
+    }
+  }
+
   [[noreturn]] void refuse(const std::string& what) const {
     refuse_file(file_, fmt::format("damaged: {} (metadata at byte {})", what, at_));
   }
@@ -129,7 +138,7 @@ class Walk {
     for (std::size_t begin = 0; begin < bytes_.size();) {
       const LeadIn lead_in = lead_in_at(begin);
       if (lead_in.has_whole_metadata) {
-        if (lead_in.has(toc_metadata)) read_metadata(begin, lead_in);
+        read_metadata(begin, lead_in);
         visit(segment(begin, lead_in));
       }
       begin = lead_in.end;
@@ -185,11 +194,14 @@ class Walk {
 
   void read_metadata(std::size_t begin, const LeadIn& lead_in) {
     Metadata metadata(file_, bytes_, begin, lead_in);
-    if (lead_in.has(toc_new_list)) {
-      list_.clear();
-      place_in_list_.clear();
+    if (lead_in.has(toc_metadata)) {
+      if (lead_in.has(toc_new_list)) {
+        list_.clear();
+        place_in_list_.clear();
+      }
+      for (auto left = metadata.number(); left > 0; --left) read_object(metadata);
     }
-    for (auto left = metadata.number(); left > 0; --left) read_object(metadata);
+    metadata.require_end();
   }
 
   void read_object(Metadata& metadata) {
@@ -207,8 +219,22 @@ class Walk {
     if (listed.has_values) listed.values = *last_values_[object];
     for (auto left = metadata.number(); left > 0; --left) {
       const std::string name = metadata.text();
-      objects_[object].properties[name] = metadata.property();
+      set_property(object, name, metadata.property());
     }
+  }
+
+  /// Refuses a new rate or scale for later values, because all values are read with the last one.
+  void set_property(std::size_t object, const std::string& name, TdmsProperty value) {
+    const auto [place, is_new] = objects_[object].properties.try_emplace(name, value);
+    if (is_new || place->second == value) return;
+    const bool counts =
+        name == "wf_increment" || name.starts_with("NI_Scal") || name == "NI_Number_Of_Scales";
+    if (counts && has_had_values_) {
+      refuse_file(file_, fmt::format("changes its {} between its values; save each part as a file "
+                                     "of its own",
+                                     name));
+    }
+    place->second = std::move(value);
   }
 
   std::size_t object_at(const std::string& path, const Metadata& metadata) {
@@ -265,14 +291,17 @@ class Walk {
     // The numbers of a single object are rows, too, so that a crash loses none of them.
     const bool is_single = values_.size() == 1 && tdms_type(values_.front().type)->size > 0;
     segment.has_rows = is_single || lead_in.has(toc_interleaved);
-    const std::uint64_t chunk_bytes = segment.has_rows ? bytes_of_row(begin) : bytes_of_chunk();
-    const bool is_whole = chunk_bytes > 0 && raw_bytes % chunk_bytes == 0;
+    // Whole rows are not enough: they would also fit other types and counts.
+    const std::uint64_t declared = bytes_of_chunk();
+    const bool is_whole = declared > 0 && raw_bytes % declared == 0;
     if (lead_in.is_finished && !is_whole) {
       refuse_segment(begin,
                      fmt::format("has {} bytes of values, not a whole number of chunks of {}",
-                                 raw_bytes, chunk_bytes));
+                                 raw_bytes, declared));
     }
-    if (chunk_bytes == 0) return segment;
+    if (declared == 0) return segment;
+    const std::uint64_t chunk_bytes = segment.has_rows ? bytes_of_row(begin) : declared;
+    has_had_values_ = true;
     segment.values = values_;
     segment.chunk_bytes = chunk_bytes;
     segment.chunks = raw_bytes / chunk_bytes;
@@ -306,6 +335,7 @@ class Walk {
   std::vector<Listed> list_;
   std::map<std::size_t, std::size_t> place_in_list_;  ///< place in list_ of each object
   std::vector<TdmsValues> values_;                    ///< layout of the current segment
+  bool has_had_values_ = false;
 };
 
 }  // namespace

@@ -258,6 +258,103 @@ TEST_F(Tdms, IsRefusedWithImpossibleMetadata) {
       "1", "truncated or damaged: its segment at byte 0 has more bytes");
 }
 
+/// Flips bits of a segment's layout, which no checksum covers. A single channel and interleaved
+/// channels are read value by value, so the values alone would fit another layout, too.
+TEST_F(Tdms, IsRefusedIfItsLayoutContradictsItsLength) {
+  const Shorts values{1, 2, 3, 4, 5, 6, 7, 8};
+  const std::string path = "/'g'/'a'";
+  const auto single = [&](std::uint32_t type, std::uint64_t count) {
+    return write_.segment(tdms::new_values, {write_.object(path, write_.index(type, count))},
+                          write_.numbers(values));
+  };
+  EXPECT_EQ(samples(single(tdms::int16, 8), "1").size(), 8U);
+  EXPECT_EQ(samples(single(tdms::int16, 4), "1").size(), 8U);  // two chunks
+  const std::string why =
+      "truncated or damaged: its segment at byte 0 has 16 bytes of values, not ";
+  for (const std::uint32_t type : {tdms::int32, tdms::dbl, tdms::int64}) {
+    expect_refused(single(type, 8), "1", why);
+  }
+  for (const std::uint64_t count : {3, 9, 12, 16}) {
+    expect_refused(single(tdms::int16, count), "1", why);
+  }
+  const auto rows = [&](std::uint32_t type, std::uint64_t count) {
+    return write_.segment(tdms::new_values | tdms::interleaved,
+                          {write_.object(path, write_.index(type, count)),
+                           write_.object("/'g'/'b'", write_.index(type, count))},
+                          write_.numbers(values));
+  };
+  EXPECT_THAT(samples(rows(tdms::int16, 4), "2"), ElementsAre(2, 4, 6, 8));
+  expect_refused(rows(tdms::int32, 4), "2", why);
+  expect_refused(rows(tdms::int16, 5), "2", why);
+}
+
+/// Replaces a number of 4 bytes within a file.
+std::string with_number(std::string bytes, std::size_t at, const std::string& number) {
+  return bytes.replace(at, number.size(), number);
+}
+
+TEST_F(Tdms, IsRefusedIfItsMetadataDoNotEndAtItsValues) {
+  const std::string path = "/'g'/'a'";
+  const std::vector<std::string> slope{write_.property("wf_increment", 0.001),
+                                       write_.property("NI_Scale[0]_Scale_Type", "Linear"),
+                                       write_.property("NI_Scale[0]_Linear_Slope", 0.5),
+                                       write_.property("NI_Scale[0]_Linear_Y_Intercept", 0.0)};
+  const std::string bytes =
+      write_.segment(tdms::new_values, {write_.object(path, write_.index(tdms::int8, 8), slope)},
+                     "\1\2\3\4\5\6\7\x8");
+  EXPECT_THAT(samples(bytes, "1"), ElementsAre(0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4));
+  const std::string why = "damaged: its metadata do not end where its values begin";
+  constexpr std::size_t raw_offset = 20;
+  constexpr std::size_t objects = 28;
+  const std::size_t properties = objects + 4 + 4 + path.size() + write_.index(tdms::int8, 8).size();
+  for (const std::uint32_t fewer : {0, 1, 3}) {
+    expect_refused(with_number(bytes, properties, write_.number(fewer)), "1", why);
+  }
+  expect_refused(with_number(bytes, objects, write_.number(std::uint32_t{0})), "1", why);
+  // Metadata that the table of contents does not announce.
+  const std::string more = write_.segment(
+      tdms::raw_data, {write_.object(path, write_.as_before(), slope)}, "\1\2\3\4\5\6\7\x8");
+  expect_refused(bytes + more, "1", why);
+  // Another start of the values: within the metadata, or within the values.
+  const auto about = static_cast<std::uint32_t>(bytes.size() - objects - 8);
+  for (const int shift : {-8, -1}) {
+    expect_refused(with_number(bytes, raw_offset, write_.number(about + shift)), "1",
+                   "damaged: its metadata end too early");
+  }
+  for (const int shift : {1, 4, 7}) {
+    expect_refused(with_number(bytes, raw_offset, write_.number(about + shift)), "1", why);
+  }
+  // Zeros may fill the space before the values.
+  std::string padded = bytes;
+  padded.insert(objects + about, 8, '\0');
+  padded = with_number(padded, raw_offset, write_.number(about + 8));
+  padded = with_number(padded, 12, write_.number(about + 16));
+  EXPECT_EQ(samples(padded, "1").size(), 8U);
+}
+
+TEST_F(Tdms, IsRefusedIfItsRateOrScaleChangesAmongItsValues) {
+  const std::string path = "/'g'/'a'";
+  const auto segment = [&](const std::string& name, double value) {
+    return write_.segment(
+        tdms::new_values,
+        {write_.object(path, write_.index(tdms::dbl, 2), {write_.property(name, value)})},
+        write_.numbers(Doubles{1, 2}));
+  };
+  for (const char* name : {"wf_increment", "NI_Scale[0]_Linear_Slope"}) {
+    const std::string first = segment(name, 0.25);
+    EXPECT_EQ(samples(first + first, "1").size(), 4U);
+    expect_refused(first + segment(name, 0.5), "1",
+                   std::string("changes its ") + name +
+                       " between its values; save each part as a file of its own");
+  }
+  // Other properties may change. A rate may also be corrected before the first values.
+  EXPECT_EQ(samples(segment("wf_start_offset", 0) + segment("wf_start_offset", 1), "1").size(), 4U);
+  const std::string planned = write_.segment(
+      tdms::metadata | tdms::new_list,
+      {write_.object(path, write_.no_values(), {write_.property("wf_increment", 1.0)})}, "");
+  EXPECT_EQ(read_tdms(written(planned + segment("wf_increment", 0.25)), "1").sample_rate_hz, 4);
+}
+
 TEST_F(Tdms, IsRefusedIfItHoldsRawDaqmxData) {
   const std::string scaler = write_.number(std::uint32_t{0x1269}) + std::string(30, '\1');
   for (const std::uint32_t contents : {tdms::new_values | tdms::daqmx, tdms::new_values}) {
