@@ -35,8 +35,6 @@ Signal unrated(const fs::path& file, const std::string& variable) {
 
 constexpr const char* other_sound =
     "is sound in an unsupported format; convert it: sox FILE OUT.wav";
-constexpr const char* lossy_sound =
-    "is sound with lossy compression, which changes vibration; record WAV or FLAC";
 constexpr const char* measurement_data_format =
     "is an MDF file (ASAM): export the channel as CSV (asammdf: MDF(FILE).export('csv'))";
 constexpr const char* table_of_columns =

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -51,18 +52,34 @@ std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
   return size - std::min<std::uint64_t>(size, format.head);
 }
 
-/// True if the file has its declared size. Some recorders never write the size.
-bool has_stated_size(std::span<const std::byte> file, const ChunkFormat& format) {
-  constexpr std::size_t before = 8;  // not part of the declared size
-  if (format.head != before) return number_at<std::uint64_t>(file, 16, false) == file.size();
-  return number_at(file, 4, format.is_big_endian) + before == file.size();
+/// Sizes in the chunk ds64 of RF64, where the sizes of 4 bytes are no_size; 0 in other formats.
+struct LongSizes {
+  std::uint64_t file = 0;     ///< bytes after the file's own mark and size
+  std::uint64_t samples = 0;  ///< bytes
+  std::uint64_t frames = 0;   ///< 0 if not declared
+};
+
+LongSizes long_sizes(std::span<const std::byte> content) {
+  constexpr std::size_t bytes = 24;
+  if (content.size() < bytes) return {};
+  const auto size = [&](std::size_t at) { return number_at<std::uint64_t>(content, at, false); };
+  return {.file = size(0), .samples = size(8), .frames = size(16)};
 }
 
-/// Declared layout of a sound's samples. WAV and W64 declare the frame size twice, AIFF the number
-/// of frames, so damage shows as a contradiction.
+/// True if the file has its declared size. Some recorders never write the size.
+bool has_stated_size(std::span<const std::byte> file, const ChunkFormat& format,
+                     const LongSizes& sizes) {
+  constexpr std::size_t before = 8;  // not part of the declared size
+  if (format.head != before) return number_at<std::uint64_t>(file, 16, false) == file.size();
+  const std::uint64_t size = number_at(file, 4, format.is_big_endian);
+  return (size == no_size ? sizes.file : size) + before == file.size();
+}
+
+/// Declared layout of a sound's samples. WAV and W64 declare the frame size twice, AIFF and RF64
+/// the number of frames, so damage shows as a contradiction.
 struct Frames {
-  std::uint64_t bytes = 0;  ///< all frames; 0 if not declared
-  std::uint64_t frame = 1;  ///< bytes of one frame
+  std::uint64_t bytes = 0;  ///< bytes of one frame; 0 for compressed samples
+  std::uint64_t count = 0;  ///< 0 if not declared
   bool is_consistent = true;
 };
 
@@ -76,23 +93,43 @@ Frames wav_frames(std::span<const std::byte> content) {
   const std::uint64_t frame = field(12);
   const std::uint64_t bits = field(14);
   const bool is_padded = bits == 24 && frame == 4 * channels;
-  return {.frame = std::max<std::uint64_t>(frame, 1),
-          .is_consistent = is_padded || frame == channels * ((bits + 7) / 8)};
+  return {.bytes = frame,
+          .is_consistent = frame > 0 && (is_padded || frame == channels * ((bits + 7) / 8))};
 }
 
-/// Reads the chunk `COMM` of AIFF.
-Frames aiff_frames(std::span<const std::byte> content) {
-  if (content.size() < 8) return {.is_consistent = false};
+/// Reads the chunk `COMM` of AIFF, and of AIFC for plain integers and floats.
+Frames aiff_frames(std::span<const std::byte> content, bool has_kind) {
+  constexpr std::size_t kind_at = 18;
+  if (content.size() < kind_at + (has_kind ? 4 : 0)) return {.is_consistent = false};
   const std::uint64_t channels = number_at<std::uint16_t>(content, 0, true);
   const std::uint64_t count = number_at(content, 2, true);
-  const std::uint64_t bits = number_at<std::uint16_t>(content, 6, true);
-  return {.bytes = count * channels * ((bits + 7) / 8)};
+  std::uint64_t bits = number_at<std::uint16_t>(content, 6, true);
+  if (has_kind) {
+    std::string kind(reinterpret_cast<const char*>(content.data()) + kind_at, 4);
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (kind == "fl32") bits = 32;
+    if (kind == "fl64") bits = 64;
+    constexpr std::array plain{"none", "twos", "sowt", "raw ", "in24", "in32", "fl32", "fl64"};
+    if (std::ranges::find(plain, kind) == plain.end()) return {};
+  }
+  const std::uint64_t frame = channels * ((bits + 7) / 8);
+  return {.bytes = frame, .count = count, .is_consistent = frame > 0};
 }
 
-/// True if `bytes` of samples are whole frames, and all of them.
-bool holds(const Frames& stated, std::uint64_t bytes) {
-  return stated.is_consistent && bytes % stated.frame == 0 &&
-         (stated.bytes == 0 || stated.bytes == bytes);
+/// Returns the bytes of a chunk before its samples. AIFF declares them.
+std::uint64_t bytes_before_samples(std::string_view name, std::span<const std::byte> content) {
+  constexpr std::uint64_t head = 8;  // offset and block size
+  if (name != "SSND") return 0;
+  return content.size() < head ? head : head + number_at(content, 0, true);
+}
+
+/// True if the chunk has whole frames, and all of them.
+bool holds(const Frames& stated, std::string_view name, std::span<const std::byte> content) {
+  const std::uint64_t before = bytes_before_samples(name, content);
+  if (!stated.is_consistent || before > content.size()) return false;
+  if (stated.bytes == 0) return true;
+  const std::uint64_t bytes = content.size() - before;
+  return bytes % stated.bytes == 0 && (stated.count == 0 || stated.count == bytes / stated.bytes);
 }
 
 /// Refuses a file of chunks with fewer or more samples than declared. libsndfile would read the
@@ -103,7 +140,7 @@ void require_whole(const fs::path& file) {
   const auto* const format = std::ranges::find_if(
       chunk_formats, [&](const ChunkFormat& one) { return bytes.starts_with(one.mark); });
   if (format == chunk_formats.end()) return;
-  std::uint64_t long_size = no_size;  // size of the samples in RF64
+  LongSizes sizes;
   bool has_passed_samples = false;
   Frames stated;
   std::size_t at = format->first;
@@ -111,7 +148,7 @@ void require_whole(const fs::path& file) {
     const std::string_view name = bytes.substr(at, 4);
     std::uint64_t size = content_bytes(content, at, *format);
     const bool has_samples = name == "data" || name == "SSND";
-    if (has_samples && size == no_size) size = long_size;
+    if (has_samples && size == no_size && sizes.samples > 0) size = sizes.samples;
     if (has_samples && (size == 0 || size == no_size)) {
       refuse_file(file,
                   "does not declare its length, as after a recorder was switched off; repair it: "
@@ -121,22 +158,28 @@ void require_whole(const fs::path& file) {
     has_passed_samples = has_passed_samples || has_samples;
     const std::span content_of_chunk = std::span(content).subspan(at + format->head, size);
     if (name == "fmt ") stated = wav_frames(content_of_chunk);
-    if (name == "COMM" && bytes.substr(8, 4) == "AIFF") stated = aiff_frames(content_of_chunk);
-    constexpr std::uint64_t before_frames = 8;  // offset and block size of AIFF
-    if (has_samples && !holds(stated, name == "SSND" ? size - before_frames : size)) {
+    if (name == "COMM") stated = aiff_frames(content_of_chunk, bytes.substr(8, 4) == "AIFC");
+    if (name == "ds64") sizes = long_sizes(content_of_chunk);
+    if (sizes.frames > 0) stated.count = sizes.frames;
+    if (has_samples && !holds(stated, name, content_of_chunk)) {
       refuse_file(file, "damaged: its channels, bits or length contradict its samples");
-    }
-    constexpr std::size_t long_size_at = 8;
-    if (name == "ds64" && size >= 2 * long_size_at) {
-      long_size = number_at<std::uint64_t>(content, at + format->head + long_size_at, false);
     }
     at += format->head + (size + format->alignment - 1) / format->alignment * format->alignment;
   }
   if (!has_passed_samples) {
     refuse_file(file, "truncated or damaged: it is shorter than it declares");
   }
-  if (at < bytes.size() && has_stated_size(content, *format)) {
+  if (at < bytes.size() && has_stated_size(content, *format, sizes)) {
     refuse_file(file, "damaged: its samples do not end where it declares");
+  }
+}
+
+/// Refuses samples that are not plain integers or floats.
+void require_lossless(const fs::path& file, const SF_INFO& info) {
+  constexpr std::array plain{SF_FORMAT_PCM_S8, SF_FORMAT_PCM_U8, SF_FORMAT_PCM_16, SF_FORMAT_PCM_24,
+                             SF_FORMAT_PCM_32, SF_FORMAT_FLOAT,  SF_FORMAT_DOUBLE};
+  if (std::ranges::find(plain, info.format & SF_FORMAT_SUBMASK) == plain.end()) {
+    refuse_file(file, lossy_sound);
   }
 }
 
@@ -156,6 +199,7 @@ Signal read_sound(const fs::path& file, const std::string& channel) {
   SF_INFO info{};
   const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open(file.c_str(), SFM_READ, &info));
   if (!sound) refuse_file(file, std::string("cannot be read: ") + sf_strerror(nullptr));
+  require_lossless(file, info);
   const std::size_t index = channel_in(file, channel, info.channels);
   const auto channels = static_cast<std::size_t>(info.channels);
   const auto count = static_cast<std::size_t>(info.frames);
