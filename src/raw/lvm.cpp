@@ -138,9 +138,9 @@ class LvmReader {
   /// Packets follow each other without a separator. A slower channel has values in the first rows
   /// of each packet and empty fields in the other rows.
   std::vector<double> samples(std::size_t channels) {
-    std::size_t packet = 0;
-    for (std::size_t i = 0; i < channels; ++i) packet = std::max(packet, count_in_packet(i));
-    const std::size_t count = count_in_packet(channel_);
+    std::vector<std::size_t> counts(channels);
+    for (std::size_t i = 0; i < channels; ++i) counts[i] = count_in_packet(i);
+    const std::size_t packet = std::ranges::max(counts);
     std::vector<double> samples;
     std::size_t rows = 0;
     for (; !rest_.empty(); ++rows) {
@@ -149,9 +149,12 @@ class LvmReader {
       if (rows == packet && !has_one_heading_) {
         refuse_line(fmt::format("is one row more than the {} that its header declares", packet));
       }
-      const bool has_value = packet > 0 && rows % packet < count;
-      const auto value = value_in(row, has_value);
-      if (value) samples.push_back(*value);
+      // A row that lost a field lacks a later one, so all channels are checked.
+      for (std::size_t i = 0; i < channels; ++i) {
+        const bool has_value = packet > 0 && rows % packet < counts[i];
+        const auto value = value_in(row, i, has_value);
+        if (value && i == channel_) samples.push_back(*value);
+      }
     }
     if (rows < packet) {
       refuse_file(file_, fmt::format("truncated: it has {} rows, but its header declares {}", rows,
@@ -173,8 +176,8 @@ class LvmReader {
     }
   }
 
-  std::optional<double> value_in(const Fields& row, bool has_value) {
-    const std::size_t place = column(channel_);
+  std::optional<double> value_in(const Fields& row, std::size_t channel, bool has_value) {
+    const std::size_t place = column(channel);
     const std::string_view field = place < row.size() ? row[place] : std::string_view{};
     if (!has_value && field.empty()) return std::nullopt;
     const auto holds = [&] {

@@ -104,6 +104,30 @@ TEST_F(Lvm, AcceptsEmptyFieldsOfSlowerChannels) {
                  ", line 30: channel force holds '-4', where its header declares no value");
 }
 
+/// A row that lost a field has the later values one column too far left.
+TEST_F(Lvm, IsRefusedIfARowLostAField) {
+  const std::string rows = "0\t1\t-1\n0\t2\t-2\n";
+  for (const char* channel : {"acc", "force"}) {
+    expect_refused(one_ + rows + "0\t-3\n", channel,
+                   ", line 25: channel force holds '', not a number");
+    expect_refused(one_ + rows + "0\t-3\tnote\n", channel,
+                   ", line 25: channel force holds 'note', not a number");
+    expect_refused(one_ + rows + "0\n", channel, ", line 25: channel acc holds '', not a number");
+  }
+  const std::string each =
+      lvm_header("No", "Multi") +
+      segment_header("X_Value\tacc\tX_Value\tforce\tComment", "3\t\t3", "0.0001\t\t0.0002");
+  expect_refused(each + "0\t1\t0\t-1\n0\t2\t0\t-2\n0\t0\t-3\n", "acc",
+                 ", line 25: channel force holds '', not a number");
+  // A slower channel has no values in the later rows of a packet.
+  const std::string slow = lvm_header("No", "One") +
+                           segment_header("X_Value\tacc\tforce\tComment", "2\t1") + "0\t1\t-1\n";
+  EXPECT_THAT(samples(slow + "0\t2\n", "acc"), ElementsAre(1, 2));
+  expect_refused(slow + "0\t\t2\n", "acc", ", line 24: channel acc holds '', not a number");
+  expect_refused(slow + "0\t2\t-2\n", "acc",
+                 ", line 24: channel force holds '-2', where its header declares no value");
+}
+
 TEST_F(Lvm, MayHaveASpecialBlockInItsHeader) {
   const std::string special = "***Start_Special***\t\nanything\t1\n***End_Special***\t\n";
   std::string text = one_ + "0\t1\t2\n0\t3\t4\n0\t5\t6\n";
