@@ -9,10 +9,19 @@ namespace piae::raw {
 namespace {
 
 bool is_word(std::string_view field) {
-  return holds_letters(field.substr(0, 1)) && !number_in_field(field, ';');
+  return holds_letters(field) && !number_in_field(field, ';');
 }
 
 }  // namespace
+
+void CsvDoubts::Others::add(bool differs, std::size_t number, std::string_view text) {
+  if (!differs) {
+    ++usual;
+  } else if (count++ == 0) {
+    field = text;
+    line = number;
+  }
+}
 
 void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view all) {
   if (layout_.separator != ',' && row.requested_field.find(',') != std::string_view::npos) {
@@ -24,13 +33,10 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
     all_in_groups_ = all_in_groups_ && is_group && row.requested_field.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
   }
-  if (layout_.column == 0) return;
-  if (!is_word(row.first)) {
-    ++numbered_;
-  } else if (worded_++ == 0) {
-    word_ = row.first;
-    word_line_ = line;
+  if (layout_.times.is_named && !row.time.empty()) {
+    times_.add(!number_in_field(row.time, layout_.separator), line, row.time);
   }
+  if (layout_.column != 0) words_.add(is_word(row.first), line, row.first);
 }
 
 void CsvDoubts::require_none() const {
@@ -44,11 +50,19 @@ void CsvDoubts::require_none() const {
     refuse_csv_line(file_, layout_.first_line,
                     "seems to have blanks between thousands; remove them");
   }
-  if (worded_ == 0 || worded_ > numbered_) return;
-  refuse_csv_line(file_, word_line_,
-                  "begins with " + csv_field_in_quotes(word_) +
-                      ", where other lines have a number; if another table begins here, save it in "
-                      "a file of its own");
+  if (words_.are_few()) {
+    refuse_csv_line(
+        file_, words_.line,
+        "begins with " + csv_field_in_quotes(words_.field) +
+            ", where other lines have a number; if another table begins here, save it in "
+            "a file of its own");
+  }
+  if (times_.are_few()) {
+    refuse_csv_line(file_, times_.line,
+                    "holds the time " + csv_field_in_quotes(times_.field) +
+                        ", which is not a number, so lines may be missing; repair the line, or get "
+                        "the file again");
+  }
 }
 
 void CsvDoubts::look_at_comma(std::size_t line, std::string_view field, std::string_view all) {

@@ -17,7 +17,8 @@ struct CsvRow {
 };
 
 /// Looks line by line for signs that a column is not what it seems: numbers with separators of
-/// thousands, which could be decimal signs, and lines that do not belong to the table.
+/// thousands, which could be decimal signs, lines that do not belong to the table, and damaged
+/// times, between which lines may be missing.
 class CsvDoubts {
  public:
   CsvDoubts(const std::filesystem::path& file, const CsvLayout& layout)
@@ -29,6 +30,17 @@ class CsvDoubts {
   void require_none() const;
 
  private:
+  /// Lines that differ from the others; the first one is kept for the error.
+  struct Others {
+    std::size_t count = 0;
+    std::size_t usual = 0;  ///< lines that do not differ
+    std::string_view field;
+    std::size_t line = 0;
+
+    void add(bool differs, std::size_t number, std::string_view text);
+    [[nodiscard]] bool are_few() const { return count > 0 && count <= usual; }
+  };
+
   void look_at_comma(std::size_t line, std::string_view field, std::string_view all);
 
   const std::filesystem::path& file_;
@@ -39,10 +51,8 @@ class CsvDoubts {
   std::size_t comma_line_ = 0;
   bool all_in_groups_ = true;
   bool any_padded_ = false;
-  std::size_t worded_ = 0;    ///< lines that start with a word
-  std::size_t numbered_ = 0;  ///< lines that do not
-  std::string_view word_;
-  std::size_t word_line_ = 0;
+  Others words_;  ///< lines that start with a word
+  Others times_;  ///< lines whose time is not a number
 };
 
 }  // namespace piae::raw

@@ -1,5 +1,7 @@
 #include "raw/text.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -82,6 +84,19 @@ void mend_line_ends(std::string& text) {
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
 }
 
+/// Refuses control characters other than blanks and line ends. A crash may leave nulls in the
+/// middle of a file, where two halves of different lines would become one.
+void require_no_control_characters(const std::filesystem::path& file, std::string_view text) {
+  const auto* const found = std::ranges::find_if(
+      text, [](char c) { return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f'; });
+  if (found == text.end()) return;
+  const auto line = 1 + std::count(text.begin(), found, '\n');
+  refuse_file(fmt::format("{}, line {}", file.string(), line),
+              fmt::format("holds the control character {:#04x}, as after a crash, so lines may be "
+                          "missing; get the file again",
+                          static_cast<int>(*found)));
+}
+
 /// True if every other byte is 0, as for numbers and Latin letters in UTF-16.
 bool is_utf16(std::string_view text) {
   std::array<std::size_t, 2> zeros{};
@@ -121,6 +136,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::string text = in_utf8(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   drop_empty_end(text);
   mend_line_ends(text);
+  require_no_control_characters(file, text);
   return text;
 }
 

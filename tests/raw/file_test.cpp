@@ -76,7 +76,7 @@ TEST(Csv, DistinguishesNamesFromDamagedNumbers) {
   const Folder folder;
   const std::string damaged = std::string("0.") + '\x01' + "125\n1\n2\n";
   EXPECT_ERROR((void)read_csv(folder.write("a.csv", damaged), "1"), Exit::bad_input,
-               "line 1: column 1 holds '0.?125', neither a number nor a name");
+               "line 1: holds the control character 0x01");
   EXPECT_ERROR((void)read_csv(folder.write("b.csv", "--\n1\n"), "1"), Exit::bad_input, "line 1: ");
   EXPECT_THAT(read_csv(folder.write("c.csv", "t,[g]\n1,2\n"), "2"), ElementsAre(2));
 }
@@ -148,6 +148,60 @@ TEST(Csv, MayBeUtf16WithAByteOrderMark) {
   EXPECT_THAT(read_csv(folder.write("c.csv", squared), "m/s²"), ElementsAre(1));
   EXPECT_ERROR((void)read_csv(folder.write("d.csv", utf16(text, true)), "a"), Exit::bad_input,
                "seems to be UTF-16 without a byte order mark; save it as UTF-8");
+}
+
+/// Returns a table of times and samples, with one sample in each line.
+std::string timed_table(const std::string& line_end) {
+  std::string text = "Time (s),acc" + line_end;
+  for (int i = 0; i < 200; ++i) {
+    text += std::to_string(i / 1000.0) + ',' + std::to_string(std::sin(i)) + line_end;
+  }
+  return text;
+}
+
+/// A crash while a file is written leaves a hole. Where the hole begins and ends between the same
+/// two separators, its lines would vanish without a trace.
+TEST(Csv, IsRefusedWithAHole) {
+  const Folder folder;
+  for (const char* line_end : {"\n", "\r\n", "\r"}) {
+    const std::string whole = timed_table(line_end);
+    const std::size_t begin = whole.find("0.100000,") + 4;
+    const std::size_t end = whole.find("0.150000,") + 6;
+    for (const char filling : {'\0', '\x01', '\x1a', '\x7f'}) {
+      std::string text = whole;
+      text.replace(begin, end - begin, end - begin, filling);
+      for (const char* column : {"acc", "2", "Time (s)"}) {
+        EXPECT_ERROR((void)read_csv(folder.write("a.csv", text), column), Exit::bad_input,
+                     "a.csv, line 102: holds the control character 0x");
+      }
+      if (std::string(line_end) == "\r") continue;
+      for (const bool low_byte_first : {true, false}) {
+        const std::string mark = low_byte_first ? "\xFF\xFE" : "\xFE\xFF";
+        EXPECT_ERROR(
+            (void)read_csv(folder.write("a.csv", mark + utf16(text, low_byte_first)), "acc"),
+            Exit::bad_input, "a.csv, line 102: holds the control character 0x");
+      }
+    }
+    // Erased flash memory has other bytes.
+    std::string text = whole;
+    text.replace(begin, end - begin, end - begin, '\xff');
+    EXPECT_ERROR((void)read_csv(folder.write("a.csv", text), "acc"), Exit::bad_input,
+                 "a.csv, line 102: ");
+  }
+}
+
+TEST(Csv, IsRefusedIfATimeIsNotANumber) {
+  const Folder folder;
+  std::string text = timed_table("\n");
+  const auto read = [&] { return read_csv(folder.write("a.csv", text), "acc"); };
+  text.replace(text.find("0.100000,"), 8, "0.10?000");
+  EXPECT_ERROR((void)read(), Exit::bad_input,
+               "a.csv, line 102: holds the time '0.10?000', which is not a number");
+  // Some loggers write the time once for several samples, or the time of day.
+  text.replace(text.find("0.10?000"), 8, "");
+  EXPECT_EQ(read().size(), 200U);
+  text = "t,acc\n59.9,1\n1:00.0,2\n1:00.1,3\n";
+  EXPECT_THAT(read(), ElementsAre(1, 2, 3));
 }
 
 // Storing lines or fields one by one would take many times the file's size.
