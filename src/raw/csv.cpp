@@ -98,7 +98,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
   std::vector<double> numbers;
   std::vector<double> times;
   DecimalSign sign;
-  CsvDoubts doubts(file, layout);
+  CsvDoubts doubts(file, layout, column);
   bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
     const std::string_view all = take_line(rest);

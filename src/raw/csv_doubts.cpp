@@ -33,6 +33,8 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
     all_in_groups_ = all_in_groups_ && is_group && row.requested_field.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
   }
+  decimals_.add(line, row.requested_field);
+  may_be_cut_ = row.requested_field.end() == all.end() && !layout_.numbers.ends_with('\n');
   if (layout_.times.is_named && !row.time.empty()) {
     times_.add(!number_in_field(row.time, layout_.separator), line, row.time);
   }
@@ -49,6 +51,15 @@ void CsvDoubts::require_none() const {
   if (all_in_groups_ && any_padded_) {
     refuse_csv_line(file_, layout_.first_line,
                     "seems to have blanks between thousands; remove them");
+  }
+  if (const auto number = decimals_.short_end(); number && may_be_cut_) {
+    refuse_cut_number(file_, number->line, number->text);
+  }
+  if (const auto number = decimals_.whole_number()) {
+    refuse_csv_line(file_, number->line,
+                    "column " + column_ + " holds " + csv_field_in_quotes(number->text) +
+                        ", a whole number among numbers with decimals; it seems not to be a "
+                        "sample: remove the line");
   }
   if (words_.are_few()) {
     refuse_csv_line(

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
+#include "raw/csv_fields.hpp"
 #include "raw/csv_layout.hpp"
 
 namespace piae::raw {
@@ -17,12 +19,12 @@ struct CsvRow {
 };
 
 /// Looks line by line for signs that a column is not what it seems: numbers with separators of
-/// thousands, which could be decimal signs, lines that do not belong to the table, and damaged
-/// times, between which lines may be missing.
+/// thousands, which could be decimal signs, lines that do not belong to the table, a cut last
+/// number, and damaged times, between which lines may be missing.
 class CsvDoubts {
  public:
-  CsvDoubts(const std::filesystem::path& file, const CsvLayout& layout)
-      : file_(file), layout_(layout) {}
+  CsvDoubts(const std::filesystem::path& file, const CsvLayout& layout, const std::string& column)
+      : file_(file), layout_(layout), column_(column) {}
 
   /// Checks the next line, `all`. Throws Error(bad_input) if it has both decimal signs.
   void look_at(std::size_t line, const CsvRow& row, std::string_view all);
@@ -45,6 +47,7 @@ class CsvDoubts {
 
   const std::filesystem::path& file_;
   const CsvLayout& layout_;
+  const std::string& column_;     ///< its name or number
   std::size_t commas_ = 0;        ///< numbers with a comma
   std::size_t in_thousands_ = 0;  ///< numbers with a comma such as 2,401
   std::string_view comma_;
@@ -52,7 +55,9 @@ class CsvDoubts {
   bool all_in_groups_ = true;
   bool any_padded_ = false;
   Others words_;  ///< lines that start with a word
-  Others times_;  ///< lines whose time is not a number
+  Decimals decimals_;
+  bool may_be_cut_ = false;  ///< true if the column's last number ends the text, without a line end
+  Others times_;             ///< lines whose time is not a number
 };
 
 }  // namespace piae::raw

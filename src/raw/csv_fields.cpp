@@ -36,6 +36,36 @@ std::optional<double> number_in_field(std::string_view field, char separator) {
   return number_in<double>({point.data(), field.size()});
 }
 
+void Decimals::add(std::size_t line, std::string_view number) {
+  last_ = {line, number};
+  const std::size_t sign = number.find_first_of(".,");
+  last_length_ = sign == std::string_view::npos ? 0 : number.size() - sign - 1;
+  if (sign != std::string_view::npos) {
+    if (alike_ == 0) length_ = last_length_;
+    ++(last_length_ == length_ ? alike_ : others_);
+    return;
+  }
+  const std::string_view digits = trimmed(number, "+-");
+  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return;  // NaN, 1e5
+  if (digits.find_first_not_of('0') == std::string_view::npos) {
+    ++zeros_;
+  } else if (wholes_++ == 0) {
+    first_whole_ = last_;
+  }
+}
+
+std::optional<Decimals::Number> Decimals::whole_number() const {
+  const bool is_fixed = length_ >= 2 && others_ == 0;
+  const bool are_rare = wholes_ > 0 && alike_ >= enough * wholes_;
+  return is_fixed && are_rare ? std::optional(first_whole_) : std::nullopt;
+}
+
+std::optional<Decimals::Number> Decimals::short_end() const {
+  const bool is_alone = others_ + wholes_ + zeros_ == 1;
+  const bool is_short = last_length_ < length_ && alike_ >= enough;
+  return is_alone && is_short ? std::optional(last_) : std::nullopt;
+}
+
 char separator_of(std::string_view line) {
   for (const char candidate : {';', '\t', '|'}) {
     if (line.find(candidate) != std::string_view::npos) return candidate;

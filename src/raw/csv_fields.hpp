@@ -89,6 +89,36 @@ class DecimalSign {
   bool point_ = false;
 };
 
+/// Compares the decimals of a column's numbers. Programs that print a fixed number of decimals
+/// print it for all numbers; programs that drop zeros at the end show it in every tenth number.
+class Decimals {
+ public:
+  struct Number {
+    std::size_t line = 0;
+    std::string_view text;
+  };
+
+  void add(std::size_t line, std::string_view number);
+  /// Returns the first whole number if such numbers are rare and all others have the same two or
+  /// more decimals. Ignores 0, which MATLAB prints without decimals.
+  [[nodiscard]] std::optional<Number> whole_number() const;
+  /// Returns the last number if it alone has fewer decimals, or digits of the exponent, than all
+  /// others.
+  [[nodiscard]] std::optional<Number> short_end() const;
+
+ private:
+  static constexpr std::size_t enough = 100;  ///< numbers alike for each other number
+
+  std::size_t length_ = 0;  ///< usual number of characters after the decimal sign
+  std::size_t alike_ = 0;
+  std::size_t others_ = 0;  ///< numbers with another length
+  std::size_t wholes_ = 0;  ///< numbers without a decimal sign, but 0
+  std::size_t zeros_ = 0;
+  Number first_whole_;
+  Number last_;
+  std::size_t last_length_ = 0;
+};
+
 /// Returns the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.
 char separator_of(std::string_view line);
 

@@ -402,6 +402,13 @@ void refuse_csv_line(const fs::path& file, std::size_t line, const std::string& 
   refuse_file(file.string() + ", line " + std::to_string(line), what);
 }
 
+void refuse_cut_number(const fs::path& file, std::size_t line, std::string_view number) {
+  refuse_csv_line(file, line,
+                  "ends the file with " + csv_field_in_quotes(number) +
+                      ", with fewer digits than all others and no line end: truncated; get the "
+                      "file again, or remove the line");
+}
+
 std::string csv_field_in_quotes(std::string_view field) {
   constexpr std::size_t longest = 80;
   if (field.size() <= longest) return "'" + std::string(field) + "'";

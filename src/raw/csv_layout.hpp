@@ -31,6 +31,9 @@ CsvLayout csv_layout(const std::filesystem::path& file, std::string_view text,
 /// Throws Error(bad_input) with "<file>, line <n>: <what>".
 [[noreturn]] void refuse_csv_line(const std::filesystem::path& file, std::size_t line,
                                   const std::string& what);
+/// Refuses the last number of a text that seems to be cut within the number.
+[[noreturn]] void refuse_cut_number(const std::filesystem::path& file, std::size_t line,
+                                    std::string_view number);
 /// Returns a field in quotes, cut if it is long.
 std::string csv_field_in_quotes(std::string_view field);
 

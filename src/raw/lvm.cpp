@@ -26,7 +26,8 @@ constexpr std::string_view end_of_header = "***End_of_Header***";
 
 class LvmReader {
  public:
-  LvmReader(const fs::path& file, std::string_view text) : file_(file), rest_(text) {}
+  LvmReader(const fs::path& file, std::string_view text)
+      : file_(file), rest_(text), ends_with_line_end_(text.ends_with('\n')) {}
 
   Signal run(const std::string& wanted) {
     read_header();  // header of the file
@@ -155,12 +156,22 @@ class LvmReader {
         const auto value = value_in(row, i, has_value);
         if (value && i == channel_) samples.push_back(*value);
       }
+      note_decimals(row);
     }
     if (rows < packet) {
       refuse_file(file_, fmt::format("truncated: it has {} rows, but its header declares {}", rows,
                                      packet));
     }
+    const auto number = decimals_.short_end();
+    if (number && may_be_cut_) refuse_cut_number(file_, number->line, number->text);
     return samples;
+  }
+
+  void note_decimals(const Fields& row) {
+    const std::size_t place = column(channel_);
+    const std::string_view field = place < row.size() ? row[place] : std::string_view{};
+    if (!field.empty()) decimals_.add(line_, field);
+    may_be_cut_ = place + 1 == row.size() && rest_.empty() && !ends_with_line_end_;
   }
 
   void require_row(const Fields& row) const {
@@ -194,6 +205,7 @@ class LvmReader {
 
   const fs::path& file_;
   std::string_view rest_;
+  bool ends_with_line_end_;
   std::size_t line_ = 0;
   char separator_ = '\t';
   std::map<std::string, Fields> entries_;  ///< lines of both headers by their first field
@@ -202,6 +214,8 @@ class LvmReader {
   bool has_one_heading_ = true;
   Fields names_;  ///< column names
   std::size_t channel_ = 0;
+  Decimals decimals_;
+  bool may_be_cut_ = false;  ///< true if the channel's last number ends the text
 };
 
 }  // namespace

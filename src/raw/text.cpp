@@ -63,9 +63,11 @@ std::string from_utf16(std::string_view bytes, bool low_byte_first) {
   return text;
 }
 
-/// Drops the ends that old editors and loggers write: nulls, Ctrl-Z, blank lines.
+/// Drops the ends that old editors and loggers write: nulls, Ctrl-Z, blank lines. Keeps the line
+/// end of the last line, because a text cut within a number has none.
 void drop_empty_end(std::string& text) {
   const std::string what("\0\x1a", 2);
+  bool has_line_end = false;
   while (!text.empty()) {
     if (what.find(text.back()) != std::string::npos) {
       text.pop_back();
@@ -74,9 +76,11 @@ void drop_empty_end(std::string& text) {
     const std::size_t line = text.find_last_of('\n');
     const std::size_t begin = line == std::string::npos ? 0 : line + 1;
     const bool is_blank = text.find_first_not_of(" \t\r", begin) == std::string::npos;
-    if (!is_blank || begin == 0) return;
+    if (!is_blank || begin == 0) break;
     text.resize(begin - 1);
+    has_line_end = true;
   }
+  if (has_line_end) text.push_back('\n');
 }
 
 /// Converts line ends of the old Macintosh, which are CR alone.
@@ -134,8 +138,8 @@ std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
 std::string read_text(const std::filesystem::path& file) {
   const Bytes bytes = artefact::read_file(file, largest_bytes);
   std::string text = in_utf8(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  drop_empty_end(text);
   mend_line_ends(text);
+  drop_empty_end(text);
   require_no_control_characters(file, text);
   return text;
 }

@@ -113,6 +113,77 @@ TEST_F(InstrumentText, IsRefusedWithNumbersOfAnotherFormatAboveTheTable) {
             41U);
 }
 
+/// Returns 300 samples in the form of printf, one in each line after `before`.
+std::string many_samples(const std::string& before = "", const char* form = "%.6f") {
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    std::array<char, 40> number{};
+    (void)std::snprintf(number.data(), number.size(), form, 3 * std::sin(1.0 + i));
+    text += before + number.data() + '\n';
+  }
+  return text;
+}
+
+/// A count of samples, a rate or a sum may follow the samples, or stand between two blocks of them.
+TEST_F(InstrumentText, IsRefusedWithAWholeNumberAmongFixedDecimals) {
+  const std::string why = ", a whole number among numbers with decimals; it seems not to be a";
+  for (const char* form : {"%.6f", "%.2f", "%+.4f", "%.6E"}) {
+    SCOPED_TRACE(form);
+    const std::string table = many_samples("", form);
+    expect_refused(table + "3000\n", "1", "line 301: column 1 holds '3000'" + why);
+    expect_refused(table + "-3000\n", "1", "line 301: column 1 holds '-3000'" + why);
+    expect_refused(table + "12000\n" + table, "1", "line 301: column 1 holds '12000'" + why);
+    expect_refused(table + "12000\n600\n" + table, "1", "line 301: column 1 holds '12000'" + why);
+  }
+  const std::string times = "t,x\n" + many_samples("0.001,");
+  expect_refused(times + "0,3000\n", "x", "line 302: column x holds '3000'" + why);
+}
+
+TEST_F(InstrumentText, MayHaveWholeNumbersAmongOtherForms) {
+  const auto count = [&](const std::string& text) {
+    return read_here(folder_.write("a.txt", text), "1").size();
+  };
+  // Programs that drop zeros at the end write fewer decimals from time to time.
+  EXPECT_EQ(count(many_samples("", "%.6g") + "3\n" + many_samples("", "%.6g")), 601U);
+  EXPECT_EQ(count(many_samples("", "%.1f") + "3\n" + many_samples("", "%.1f")), 601U);
+  EXPECT_EQ(count(many_samples() + "2.5\n3\n" + many_samples()), 602U);
+  // MATLAB prints an exact zero as 0. Overflows and missing values have no decimals.
+  EXPECT_EQ(count(many_samples() + "0\n-0\nNaN\nInf\n" + many_samples()), 604U);
+  // Too many, or too few other samples.
+  std::string whole;
+  for (int i = 0; i < 20; ++i) whole += "3\n";
+  EXPECT_EQ(count(many_samples() + whole), 320U);
+  EXPECT_EQ(count(samples() + "3\n"), 21U);
+}
+
+/// A text cut anywhere within its last number still ends in a number.
+TEST_F(InstrumentText, IsRefusedIfCutWithinItsLastNumber) {
+  const std::string why = "', with fewer digits than all others and no line end";
+  for (const char* form : {"%.6f", "%.1f", "%.6E"}) {
+    for (const char* before : {"", "0.001,"}) {
+      const std::string table = many_samples(before, form);
+      const std::string column = *before == '\0' ? "1" : "2";
+      EXPECT_EQ(read_here(folder_.write("a.txt", table), column).size(), 300U);
+      // The number may be complete.
+      EXPECT_EQ(read_here(folder_.write("a.txt", table.substr(0, table.size() - 1)), column).size(),
+                300U);
+      const std::size_t number = table.rfind(*before == '\0' ? '\n' : ',', table.size() - 2) + 1;
+      for (std::size_t size = table.size() - 2; size > number; --size) {
+        SCOPED_TRACE(table.substr(number, size - number));
+        expect_refused(table.substr(0, size), column, "a.txt, line 300: ");
+      }
+    }
+  }
+  const std::string table = many_samples();
+  expect_refused(table.substr(0, table.size() - 3), "1", why);
+  expect_refused(table.substr(0, table.size() - 3) + std::string(8, '\0'), "1", why);
+  // Whole lines are complete.
+  EXPECT_EQ(read_here(folder_.write("a.txt", table + "0.5\n"), "1").size(), 301U);
+  // Another column is complete.
+  EXPECT_EQ(read_here(folder_.write("b.txt", many_samples("0.001,") + "0.001,0.12"), "1").size(),
+            301U);
+}
+
 TEST_F(InstrumentText, IsRefusedWithWordsAmongNumbers) {
   const std::string why = "', where other lines have a number; if another table begins here";
   const std::string table = samples("0.1,");

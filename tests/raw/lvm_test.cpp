@@ -159,6 +159,17 @@ TEST_F(Lvm, IsRefusedAtTheLineOfASecondSegment) {
                  ", line 26: ends the first segment, and another one with its own header follows");
 }
 
+TEST_F(Lvm, IsRefusedIfCutWithinItsLastNumber) {
+  std::string text =
+      lvm_header("No", "One") + segment_header("X_Value\tacc\tforce\tComment", "200\t200");
+  for (int i = 0; i < 200; ++i) text += "0.1\t1.250000\t-2.500000\n";
+  EXPECT_EQ(samples(text, "force").size(), 200U);
+  EXPECT_EQ(samples(text.substr(0, text.size() - 1), "force").size(), 200U);
+  EXPECT_EQ(samples(text.substr(0, text.size() - 3), "acc").size(), 200U);
+  expect_refused(text.substr(0, text.size() - 3), "force",
+                 ", line 222: ends the file with '-2.5000', with fewer digits than all others");
+}
+
 TEST_F(Lvm, IsReadByNumberIfNotInUtf8) {
   std::string text = one_ + "0\t1\t2\n0\t3\t4\n0\t5\t6\n";
   text.replace(text.find("\tacc"), 4, "\tSchwingst\xe4rke");
