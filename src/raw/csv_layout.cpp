@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/numbers.hpp"
@@ -208,7 +209,8 @@ class Search {
 
   /// Refuses numbers above the samples whose format differs from all samples. Instruments and
   /// programs write such numbers first: the rate, a sensitivity or a column number. Accepts rising
-  /// columns, because the first time may be a plain 0.
+  /// columns, because the first time may be a plain 0, and zeros below a name, because many
+  /// programs write 0 without decimals.
   void require_no_other_numbers_above(const CsvLayout& found) const {
     constexpr std::size_t most = 10;    // largest number of such numbers
     constexpr std::size_t enough = 10;  // fewest samples that show their format
@@ -233,12 +235,17 @@ class Search {
     for (const auto& [above, counts] :
          {std::pair(alike, last.has_decimals), std::pair(broken, are_whole)}) {
       if (!counts || above == 0 || above > most || column.size() < above + enough) continue;
+      if (found.has_name && are_zeros(std::span(column).first(above))) continue;
       refuse_csv_line(file_, found.first_line,
                       "column " + column_ + " holds " + csv_field_in_quotes(column.front()) +
                           ", in another format than the numbers below, such as " +
                           csv_field_in_quotes(column.back()) +
                           "; it seems not to be a sample: remove the lines above the table");
     }
+  }
+
+  static bool are_zeros(std::span<const std::string_view> numbers) {
+    return std::ranges::all_of(numbers, [](auto text) { return text == "0" || text == "-0"; });
   }
 
   static bool rises(const std::vector<std::string_view>& column, char separator) {

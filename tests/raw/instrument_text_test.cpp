@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -182,6 +183,21 @@ TEST_F(InstrumentText, IsRefusedIfCutWithinItsLastNumber) {
   // Another column is complete.
   EXPECT_EQ(read_here(folder_.write("b.txt", many_samples("0.001,") + "0.001,0.12"), "1").size(),
             301U);
+}
+
+TEST_F(InstrumentText, MayStartWithZerosBelowItsName) {
+  // MATLAB's writetable and %.15g write 0 without decimals.
+  for (const char* zeros : {"0\n", "0\n0\n0\n", "0\n-0\n"}) {
+    for (const char* form : {"%.6f", "%.15g"}) {
+      const auto lines = static_cast<std::size_t>(std::ranges::count(std::string(zeros), '\n'));
+      const std::string text = zeros + samples("", form);
+      EXPECT_EQ(read_here(folder_.write("a.txt", "acc\n" + text), "acc").size(), lines + 20);
+      EXPECT_EQ(read_here(folder_.write("a.txt", "acc [g]\n" + text), "1").size(), lines + 20);
+    }
+  }
+  const std::string why = ", in another format than the numbers below, such as '";
+  expect_refused("acc\n0\n12000\n" + samples(), "acc", "line 2: column acc holds '0'" + why);
+  expect_refused("t,0\n0,0\n" + samples("0,"), "2", "line 1: column 2 holds '0'" + why);
 }
 
 TEST_F(InstrumentText, IsRefusedWithWordsAmongNumbers) {
