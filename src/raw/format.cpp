@@ -75,6 +75,8 @@ const std::array marks{
          "as CSV"},
     Mark{"\xd0\xcf\x11\xe0", 0, nullptr,
          "is an Excel workbook from before 2007: save the sheet as CSV (File, Save as, CSV)"},
+    Mark{"version https://git-lfs", 0, nullptr,
+         "is a Git LFS pointer, not the recording: fetch it (git lfs pull)"},
     Mark{"%PDF", 0, nullptr, "is a PDF document, not a recording"},
     Mark{".snd", 0, nullptr, other_sound},  // Sun's .au
     Mark{"caff", 0, nullptr, other_sound},
@@ -134,6 +136,13 @@ bool is_mat4(std::string_view bytes) {
          number(1) > 0 && number(2) > 0 && bytes.find('\0') != std::string_view::npos;
 }
 
+/// True for characters that text has, and no others: MATLAB's save -ascii and Octave's save write
+/// text into .mat files.
+bool is_text(std::string_view bytes) {
+  const auto is_of_text = [](char c) { return (c >= '\t' && c <= '\r') || (c >= ' ' && c < 127); };
+  return !bytes.empty() && std::ranges::all_of(bytes, is_of_text);
+}
+
 }  // namespace
 
 Read reader_of(const fs::path& file) {
@@ -153,6 +162,7 @@ Read reader_of(const fs::path& file) {
     refuse_file(file,
                 "truncated, damaged or not a '" + extension + "' file: it does not begin like one");
   }
+  if (is_text(bytes)) return read_table;
   if (is_mat4(bytes)) {
     refuse_file(
         file,

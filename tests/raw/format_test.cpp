@@ -22,6 +22,22 @@ TEST(Formats, DefaultToTextUnlessTheFirstBytesDiffer) {
   }
 }
 
+TEST(Formats, OfAMatFileMayBeText) {
+  const Folder folder;
+  const std::string ascii = "  -5.0000000e-01   1.0000000e+00\n   1.5000000e+00   2.0000000e+00\n";
+  EXPECT_THAT(read_here(folder.write("a.mat", ascii), "1"), ElementsAre(-0.5, 1.5));  // save -ascii
+  const std::string octave =
+      "# Created by Octave 7.3.0\n# name: x\n# type: matrix\n# rows: 2\n# columns: 1\n 0.5\n "
+      "1.5\n\n\n";
+  EXPECT_THAT(read_here(folder.write("a.mat", octave), "1"), ElementsAre(0.5, 1.5));
+  EXPECT_ERROR(read_here(folder.write("a.mat", octave + "# name: y\n 2\n"), "1"), Exit::bad_input,
+               "a.mat, line 8: is blank between lines of numbers");
+  for (const std::string& bytes : {std::string(), std::string("MATLAB 5.0 MBT-file\0\1", 21)}) {
+    EXPECT_ERROR(read_here(folder.write("a.mat", bytes), "x"), Exit::bad_input,
+                 "truncated, damaged or not a MATLAB file of version 5 or 7.3");
+  }
+}
+
 TEST(Formats, AreRefusedWithAConversionIfUnsupported) {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> files{
@@ -49,6 +65,12 @@ TEST(Formats, AreRefusedWithAConversionIfUnsupported) {
        "is an OpenDocument spreadsheet: save the sheet as CSV"}};
   for (const auto& [bytes, why] : files) {
     EXPECT_ERROR(read_here(folder.write("a.csv", bytes), "1"), Exit::bad_input, "a.csv: " + why);
+  }
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+  for (const char* name : {"a.mat", "a.wav", "a.csv"}) {
+    EXPECT_ERROR(read_here(folder.write(name, pointer), "1"), Exit::bad_input,
+                 "is a Git LFS pointer, not the recording: fetch it (git lfs pull)");
   }
   const std::string mat4("\0\0\0\0\x03\0\0\0\x01\0\0\0\0\0\0\0\x02\0\0\0x\0", 22);
   EXPECT_ERROR(read_here(folder.write("a.mat", mat4 + std::string(24, '\0')), "x"), Exit::bad_input,
