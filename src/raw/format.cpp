@@ -11,6 +11,7 @@
 #include "raw/npy.hpp"
 #include "raw/sound.hpp"
 #include "raw/tdms.hpp"
+#include "raw/text.hpp"
 #include "raw/uff.hpp"
 
 namespace piae::raw {
@@ -146,7 +147,7 @@ bool is_text(std::string_view bytes) {
 }  // namespace
 
 Read reader_of(const fs::path& file) {
-  const std::string bytes = beginning_of(file);
+  const std::string bytes = without_byte_order_mark(beginning_of(file));
   for (const Mark& mark : marks) {
     if (bytes.size() < mark.at ||
         !std::string_view(bytes).substr(mark.at).starts_with(mark.bytes)) {

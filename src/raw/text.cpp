@@ -116,10 +116,8 @@ bool is_utf16(std::string_view text) {
 
 bool is_in_no_text(char c) { return c >= '\0' && c < ' ' && (c < '\b' || c > '\r') && c != '\x1a'; }
 
-std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
-  if (text.starts_with("\xFF\xFE")) return from_utf16(text.substr(2), true);
-  if (text.starts_with("\xFE\xFF")) return from_utf16(text.substr(2), false);
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+/// Refuses text in UTF-16 without a byte order mark, and binary files.
+void require_text(const std::filesystem::path& file, std::string_view text) {
   constexpr std::size_t enough = 64;
   const std::string_view begin = text.substr(0, text.find_last_not_of('\0') + 1).substr(0, enough);
   if (is_utf16(begin)) {
@@ -130,14 +128,22 @@ std::string in_utf8(const std::filesystem::path& file, std::string_view text) {
                 "is binary, in an unsupported format; export it as text, WAV or HDF5, or, if it "
                 "holds only samples, convert it: np.save('x.npy', np.fromfile(FILE, dtype='<f4'))");
   }
-  return std::string(text);
 }
 
 }  // namespace
 
+std::string without_byte_order_mark(std::string_view bytes) {
+  if (bytes.starts_with("\xFF\xFE")) return from_utf16(bytes.substr(2), true);
+  if (bytes.starts_with("\xFE\xFF")) return from_utf16(bytes.substr(2), false);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return std::string(bytes);
+}
+
 std::string read_text(const std::filesystem::path& file) {
   const Bytes bytes = artefact::read_file(file, largest_bytes);
-  std::string text = in_utf8(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  std::string text =
+      without_byte_order_mark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  require_text(file, text);
   mend_line_ends(text);
   drop_empty_end(text);
   require_no_control_characters(file, text);

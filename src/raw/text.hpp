@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace piae::raw {
 
@@ -10,5 +11,8 @@ namespace piae::raw {
 /// Error(bad_input) for UTF-16 without a mark, for control characters within the text, for binary
 /// files and for files above largest_bytes; Error(input_missing) if the file is missing.
 std::string read_text(const std::filesystem::path& file);
+
+/// Converts text with a byte order mark to UTF-8 without the mark. Returns other bytes unchanged.
+std::string without_byte_order_mark(std::string_view bytes);
 
 }  // namespace piae::raw

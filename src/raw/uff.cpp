@@ -15,6 +15,7 @@
 #include "raw/csv_layout.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
+#include "raw/text.hpp"
 #include "raw/uff_functions.hpp"
 
 namespace piae::raw {
@@ -148,6 +149,11 @@ const UffFunction& function_called(const fs::path& file, const std::vector<UffFu
   return *found;
 }
 
+std::string uff_text(const fs::path& file) {
+  const Bytes bytes = artefact::read_file(file, largest_bytes);
+  return without_byte_order_mark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 }  // namespace
 
 bool is_uff(std::string_view beginning) {
@@ -163,8 +169,7 @@ bool is_uff(std::string_view beginning) {
 }
 
 Signal read_uff(const fs::path& file, const std::string& variable) {
-  const Bytes content = artefact::read_file(file, largest_bytes);
-  const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
+  const std::string text = uff_text(file);
   const std::vector<UffFunction> functions = uff_functions(file, text);
   const UffFunction& function = function_called(file, functions, variable);
   const Where where{.file = file, .noun = "data set", .name = variable};

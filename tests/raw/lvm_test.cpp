@@ -46,6 +46,20 @@ class Lvm : public testing::Test {
   const std::string one_ = lvm_header("No", "One") + segment_header("X_Value\tacc\tforce\tComment");
 };
 
+TEST_F(Lvm, MayHaveAByteOrderMark) {
+  const std::string text = one_ + "0.0\t1.5\t-7\n0.1\t-2\t8\n0.2\t3\t9\n";
+  std::string low_first = "\xFF\xFE";
+  std::string high_first = "\xFE\xFF";
+  for (const char c : text) {
+    low_first += {c, '\0'};
+    high_first += {'\0', c};
+  }
+  for (const std::string& marked : {"\xEF\xBB\xBF" + text, low_first, high_first}) {
+    EXPECT_THAT(samples(marked, "force"), ElementsAre(-7, 8, 9));
+  }
+  expect_refused("\xEF\xBB\xBF{\"x\": 1}", "1", ": is JSON");
+}
+
 TEST_F(Lvm, HasChannelsByNameOrNumber) {
   const std::string text = one_ + "0.0\t1.5\t-7\tstart\n0.1\t-2\t8\n0.2\t3E-3\t9\t\n";
   EXPECT_THAT(samples(text, "acc"), ElementsAre(1.5, -2, 0.003));

@@ -83,6 +83,11 @@ class Uff : public testing::Test {
   Folder folder_;
 };
 
+TEST_F(Uff, MayHaveAByteOrderMark) {
+  const std::string text = text_set({}, three_singles);
+  EXPECT_EQ(samples("\xEF\xBB\xBF" + text), samples(text));
+}
+
 TEST_F(Uff, HasTextInFieldsOfAFixedWidth) {
   EXPECT_THAT(samples(text_set({}, three_singles)), ElementsAre(1.5, -2, 3e-9));
   std::string wide;  // fields of 20 columns
