@@ -101,7 +101,8 @@ void require_no_control_characters(const std::filesystem::path& file, std::strin
                           static_cast<int>(*found)));
 }
 
-/// True if every other byte is 0, as for numbers and Latin letters in UTF-16.
+/// True if nearly every other byte is 0, as for numbers and Latin letters in UTF-16. A few other
+/// characters, such as the ² of a unit, may stand among them.
 bool is_utf16(std::string_view text) {
   std::array<std::size_t, 2> zeros{};
   std::size_t letters = 0;
@@ -109,9 +110,10 @@ bool is_utf16(std::string_view text) {
     if (text[i] == '\0') ++zeros.at(i % 2);
     if (text[i] >= '\t' && text[i] < '\x7f') ++letters;
   }
-  const std::size_t half = text.size() / 2;
-  return half > 1 && std::ranges::min(zeros) == 0 && std::ranges::max(zeros) + 1 >= half &&
-         letters >= half;
+  const std::size_t most = text.size() / 2;
+  const std::size_t enough = most - most / 8;
+  return most > 1 && std::ranges::min(zeros) == 0 && std::ranges::max(zeros) + 1 >= enough &&
+         letters >= enough;
 }
 
 bool is_in_no_text(char c) { return c >= '\0' && c < ' ' && (c < '\b' || c > '\r') && c != '\x1a'; }

@@ -96,6 +96,11 @@ TEST(Formats, AreDistinguishedFromTextWithoutAMark) {
   }
   EXPECT_ERROR(read_here(folder.write("a.txt", wide), "1"), Exit::bad_input,
                "a.txt: seems to be UTF-16 without a byte order mark");
+  std::string squared;  // m/s²
+  for (const char c : std::string("Zeit;m/s")) squared += {c, '\0'};
+  squared += std::string("\xB2\0;\0", 4);
+  EXPECT_ERROR(read_here(folder.write("a.txt", squared + wide), "1"), Exit::bad_input,
+               "a.txt: seems to be UTF-16 without a byte order mark");
 }
 
 TEST(Formats, AreRefusedWithoutSamples) {
