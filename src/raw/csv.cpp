@@ -112,7 +112,11 @@ Signal read_table(const fs::path& file, const std::string& column) {
     if (!number) {
       // A single word in a single column may be a garbled number, unless it is the column's name.
       if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
-      refuse(", not a number");
+      const bool may_be_header =
+          line == layout.first_line && column.find_first_not_of("0123456789") != column.npos;
+      refuse(may_be_header ? ", not a number; if this line belongs to the header, name the column "
+                             "by its number"
+                           : ", not a number");
     }
     if (layout.separator != ',' && !sign.fits(field)) {
       refuse(

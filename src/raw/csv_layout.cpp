@@ -20,7 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Largest number of lines before the numbers.
-constexpr std::size_t most_lines_before = 200;
+constexpr std::size_t most_lines_before = 10'000;
+/// Number of lines from the first numbers on that show the layout.
+constexpr std::size_t most_lines_of_numbers = 200;
 
 /// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
 bool is_date_or_time(std::string_view text) {
@@ -31,6 +33,17 @@ bool is_date_or_time(std::string_view text) {
   const auto others = count(".:/- ");
   return digits >= 5 && digits + others == static_cast<std::ptrdiff_t>(text.size()) &&
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
+}
+
+/// True for "g", "m/s^2", "Sensor 1", "10 mV" and empty text. False for a damaged number, which has
+/// more digits than letters, or a decimal sign.
+bool is_word_or_unit(std::string_view field) {
+  const auto count = [&](auto is_counted) { return std::ranges::count_if(field, is_counted); };
+  const auto digits = count([](char c) { return c >= '0' && c <= '9'; });
+  const auto letters = count([](char c) { return holds_letters({&c, 1}); });
+  const bool starts_as_number = field.find_first_of("0123456789.,") == 0;
+  const bool has_blank = field.find_first_of(blanks) != std::string_view::npos;
+  return digits == 0 || (letters >= digits && (!starts_as_number || has_blank));
 }
 
 /// Format of a number's text.
@@ -74,10 +87,22 @@ struct Line {
   std::string_view from_here;  ///< text from this line to the end
 };
 
+/// True if a line holds numbers only.
+bool is_row_of_numbers(std::string_view line) {
+  const char separator = separator_of(line);
+  std::size_t numbers = 0;
+  for (std::optional rest = line; rest; ++numbers) {
+    const std::string_view field = take_field(rest, separator);
+    if (!number_in_field(field, separator) && (rest || !field.empty())) return false;
+  }
+  return true;
+}
+
 /// Returns the first lines that are not blank.
 std::vector<Line> lines_at_beginning(std::string_view text) {
   std::vector<Line> lines;
-  for (std::size_t number = 1; number <= most_lines_before && !text.empty(); ++number) {
+  std::size_t last = most_lines_before;
+  for (std::size_t number = 1; number <= last && !text.empty(); ++number) {
     Line line{.number = number, .is_comment = false, .text = {}, .from_here = text};
     line.text = take_line(text);
     if (trimmed(line.text, blanks).empty()) continue;
@@ -85,6 +110,8 @@ std::vector<Line> lines_at_beginning(std::string_view text) {
     if (line.is_comment) {
       const std::size_t words = line.text.find_first_not_of("#% \t");
       line.text.remove_prefix(std::min(words, line.text.size()));
+    } else if (last == most_lines_before && is_row_of_numbers(line.text)) {
+      last = std::min(last, number + most_lines_of_numbers);
     }
     lines.push_back(line);
   }
@@ -261,6 +288,10 @@ class Search {
   /// Takes the first line as a header if no line has numbers; the caller refuses the lines below
   /// it.
   std::optional<CsvLayout> header_alone(std::size_t column) {
+    if (lines_.back().number == most_lines_before) {
+      refuse_csv_line(file_, most_lines_before,
+                      "no numbers begin up to this line; remove the lines above the table");
+    }
     const auto first = std::ranges::find(lines_, false, &Line::is_comment);
     if (first == lines_.end()) return CsvLayout{};
     const char separator = separator_of(first->text);
@@ -270,31 +301,33 @@ class Search {
     return after(static_cast<std::size_t>(first - lines_.begin()), separator, count, column);
   }
 
-  /// Starts below a header and its line of units.
+  /// Starts below a header and its lines of words, such as units and channels.
   [[nodiscard]] CsvLayout after(std::size_t header, char separator, std::size_t count,
                                 std::size_t column) const {
-    std::size_t next = header + 1;
-    while (next < lines_.size() && lines_[next].is_comment) ++next;
-    if (next >= lines_.size()) {
-      return {.separator = separator,
-              .fields = count,
-              .column = column,
-              .first_line = 1,
-              .numbers = {}};
+    std::size_t next = next_line(header);
+    const std::size_t first = next;
+    while (next < lines_.size() && is_line_of_words(lines_[next], separator, count) &&
+           (next == first || holds_letters(lines_[next].text))) {
+      next = next_line(next);
     }
-    const bool has_units = next + 1 < lines_.size() &&
-                           !holds_number(lines_[next], separator, count, column) &&
-                           holds_number(lines_[next + 1], separator, count, column) &&
-                           is_line_of_units(lines_[next], separator, count);
-    return layout_from(lines_[has_units ? next + 1 : next], separator, count, column);
+    const bool has_numbers =
+        next < lines_.size() && holds_number(lines_[next], separator, count, column);
+    if (!has_numbers) next = first;
+    if (next < lines_.size()) return layout_from(lines_[next], separator, count, column);
+    return {
+        .separator = separator, .fields = count, .column = column, .first_line = 1, .numbers = {}};
   }
 
-  [[nodiscard]] bool is_line_of_units(const Line& line, char separator, std::size_t count) const {
+  /// Returns the index of the next line without a comment.
+  [[nodiscard]] std::size_t next_line(std::size_t line) const {
+    do ++line;
+    while (line < lines_.size() && lines_[line].is_comment);
+    return line;
+  }
+
+  [[nodiscard]] bool is_line_of_words(const Line& line, char separator, std::size_t count) const {
     const auto found = fields(line, separator);
-    return found.size() == count && std::ranges::none_of(found, [](std::string_view field) {
-             return std::ranges::any_of(field,
-                                        [](char c) { return c >= '0' && c <= '9' && c != '2'; });
-           });
+    return found.size() == count && std::ranges::all_of(found, is_word_or_unit);
   }
 
   /// Tries all separators, because a header may have commas while its numbers have tabs. If the
@@ -356,8 +389,7 @@ class Search {
 
   [[nodiscard]] CsvLayout below(std::size_t header, char separator, std::size_t count,
                                 std::size_t column) const {
-    std::size_t next = header + 1;
-    while (next < lines_.size() && lines_[next].is_comment) ++next;
+    const std::size_t next = next_line(header);
     if (next < lines_.size()) {
       const char other = separator_of(lines_[next].text);
       if (holds_number(lines_[next], other, count, column)) separator = other;

@@ -21,10 +21,10 @@ struct CsvLayout {
 };
 
 /// Finds a column by its number, counted from 1, or by its name in the header. The numbers may
-/// follow blank lines, comments (# or %), an instrument's text, the header and a line of units. The
-/// header may be a comment. Throws Error(bad_input) with file and line if the column is missing.
-/// Also throws if a line before the numbers is neither text nor numbers, because such a line is
-/// damaged.
+/// follow blank lines, comments (# or %), an instrument's text, the header and lines of words, such
+/// as units, up to line 10,000. The header may be a comment. Throws Error(bad_input) with file and
+/// line if the column is missing. Also throws if a line before the numbers is neither text nor
+/// numbers, because such a line is damaged.
 CsvLayout csv_layout(const std::filesystem::path& file, std::string_view text,
                      const std::string& column);
 

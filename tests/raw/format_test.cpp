@@ -31,7 +31,7 @@ TEST(Formats, OfAMatFileMayBeText) {
       "1.5\n\n\n";
   EXPECT_THAT(read_here(folder.write("a.mat", octave), "1"), ElementsAre(0.5, 1.5));
   EXPECT_ERROR(read_here(folder.write("a.mat", octave + "# name: y\n 2\n"), "1"), Exit::bad_input,
-               "a.mat, line 8: is blank between lines of numbers");
+               "a.mat, line 8: column 1 holds ''");
   for (const std::string& bytes : {std::string(), std::string("MATLAB 5.0 MBT-file\0\1", 21)}) {
     EXPECT_ERROR(read_here(folder.write("a.mat", bytes), "x"), Exit::bad_input,
                  "truncated, damaged or not a MATLAB file of version 5 or 7.3");

@@ -77,6 +77,38 @@ TEST_F(InstrumentText, MayStartWithDatesAndUnits) {
       "2");
 }
 
+TEST_F(InstrumentText, MayHaveSeveralLinesOfWordsBelowTheNames) {
+  for (const char* words :
+       {"s,g\nraw,raw\n", "s,m/s^2\nSensor 1,Sensor 2\n", "s,10 mV\n", "s,100 mV/g\n,CH2\n",
+        "s,(m/s2)\n# calibrated\nraw,16bit ADC\n", "-,-\nraw,raw\na,b\n"}) {
+    expect_read("Time,Acc\n" + std::string(words) + "0,-0.5\n1,1.25\n2,2\n", "Acc");
+  }
+  // Dashes may be missing samples.
+  expect_refused("Acc\n-\n-\n0.5\n", "Acc", ", line 2: column Acc holds '-', not a number");
+  // A damaged number does not count as a word, also with others in its line.
+  for (const char* line : {"0,q.25", "0,q2345", "0,1.25x", "0,1.q5e+00", "s,1.2.5", "0,g"}) {
+    expect_refused("Time,Acc\n" + std::string(line) + "\n0,-0.5\n1,1.25\n", "Acc",
+                   ", line 2: column Acc holds '" + std::string(line + 2) +
+                       "', not a number; if this line belongs to the header, name the column by "
+                       "its number");
+  }
+}
+
+TEST_F(InstrumentText, MayHaveManyLinesAboveTheTable) {
+  const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
+  for (const char* note : {"# Note 12: set up\n", "Note 12: set up\n", "Rate,12000\n", "\n"}) {
+    std::string notes;
+    for (int i = 0; i < 3000; ++i) notes += note;
+    expect_read(notes + rows, "2");
+    expect_read(notes + "t,x\n" + rows, "x");
+  }
+  std::string text;
+  for (int i = 0; i < 10'000; ++i) text += "# Note 12: set up\n";
+  expect_refused(
+      text + rows, "2",
+      ", line 10000: no numbers begin up to this line; remove the lines above the table");
+}
+
 TEST_F(InstrumentText, NeverTakesSamplesFromAboveTheTable) {
   const std::string table = "0.000,-0.5\n0.001,1.25\n0.002,2\n";
   expect_read("Sample rate,12000\nSensitivity,100\n" + table, "2");
@@ -197,7 +229,7 @@ TEST_F(InstrumentText, MayStartWithZerosBelowItsName) {
   }
   const std::string why = ", in another format than the numbers below, such as '";
   expect_refused("acc\n0\n12000\n" + samples(), "acc", "line 2: column acc holds '0'" + why);
-  expect_refused("t,0\n0,0\n" + samples("0,"), "2", "line 1: column 2 holds '0'" + why);
+  expect_refused("t,0\n0,0\n" + samples("0,"), "2", "line 2: column 2 holds '0'" + why);
 }
 
 TEST_F(InstrumentText, IsRefusedWithWordsAmongNumbers) {
