@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 bool holds_no_number(std::string_view line, char separator) {
   if (trimmed(line, blanks).empty() || is_csv_comment(line)) return true;
   for (std::optional rest = line; rest;) {
-    if (number_in_field(take_field(rest, separator), separator)) return false;
+    if (number_in_field(take_field(rest, separator))) return false;
   }
   return holds_letters(line);
 }
@@ -104,8 +104,8 @@ Signal read_table(const fs::path& file, const std::string& column) {
     const std::string_view all = take_line(rest);
     const CsvRow fields = fields_of_line(file, line, all, layout);
     const std::string_view field = fields.requested_field;
-    const auto number = number_in_field(field, layout.separator);
-    const auto refuse = [&](const char* why) {
+    const auto number = number_in_field(field);
+    const auto refuse = [&](std::string_view why) {
       refuse_csv_line(file, line,
                       fmt::format("column {} holds {}{}", column, csv_field_in_quotes(field), why));
     };
@@ -114,11 +114,13 @@ Signal read_table(const fs::path& file, const std::string& column) {
       if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
       const bool may_be_header =
           line == layout.first_line && column.find_first_not_of("0123456789") != column.npos;
-      refuse(may_be_header ? ", not a number; if this line belongs to the header, name the column "
-                             "by its number"
-                           : ", not a number");
+      const std::string_view remedy = remedy_for_thousands(field);
+      if (may_be_header && remedy.empty()) {
+        refuse(", not a number; if this line belongs to the header, name the column by its number");
+      }
+      refuse(", not a number" + std::string(remedy));
     }
-    if (layout.separator != ',' && !sign.fits(field)) {
+    if (!sign.fits(field)) {
       refuse(
           ", but a line above has the other decimal sign; write decimal points and no thousands "
           "separators");
@@ -133,7 +135,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
       }
     }
     numbers.push_back(*number);
-    const auto time = number_in_field(fields.time, layout.separator);
+    const auto time = number_in_field(fields.time);
     if (time) times.push_back(*time);
   }
   if (!numbers.empty()) doubts.require_none();

@@ -9,7 +9,7 @@ namespace piae::raw {
 namespace {
 
 bool is_word(std::string_view field) {
-  return holds_letters(field) && !number_in_field(field, ';');
+  return holds_letters(field) && !number_in_field(field);
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ void CsvDoubts::Others::add(bool differs, std::size_t number, std::string_view t
 }
 
 void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view all) {
-  if (layout_.separator != ',' && row.requested_field.find(',') != std::string_view::npos) {
+  if (row.requested_field.find(',') != std::string_view::npos) {
     look_at_comma(line, row.requested_field, all);
   }
   if (layout_.separator == ' ' && layout_.fields == 2 && !layout_.has_name) {
@@ -36,7 +36,7 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
   decimals_.add(line, row.requested_field);
   may_be_cut_ = row.requested_field.end() == all.end() && !layout_.numbers.ends_with('\n');
   if (layout_.times.is_named && !row.time.empty()) {
-    times_.add(!number_in_field(row.time, layout_.separator), line, row.time);
+    times_.add(!number_in_field(row.time), line, row.time);
   }
   if (layout_.column != 0) words_.add(is_word(row.first), line, row.first);
 }
@@ -79,7 +79,7 @@ void CsvDoubts::require_none() const {
 void CsvDoubts::look_at_comma(std::size_t line, std::string_view field, std::string_view all) {
   for (std::optional rest = all; rest;) {
     const std::string_view other = take_field(rest, layout_.separator);
-    if (other.find('.') == other.npos || !number_in_field(other, layout_.separator)) continue;
+    if (other.find('.') == other.npos || !number_in_field(other)) continue;
     refuse_csv_line(
         file_, line,
         "holds " + csv_field_in_quotes(field) + " and " + csv_field_in_quotes(other) +

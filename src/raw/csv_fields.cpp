@@ -22,12 +22,12 @@ bool is_numbers_apart(std::string_view text) {
 
 }  // namespace
 
-std::optional<double> number_in_field(std::string_view field, char separator) {
+std::optional<double> number_in_field(std::string_view field) {
   const bool has_plus = field.size() > 1 && field.front() == '+' && field[1] != '-';
   if (has_plus) field.remove_prefix(1);
   const auto number = number_in<double>(field);
   const std::size_t comma = field.find(',');
-  if (number || separator == ',' || comma == std::string_view::npos) return number;
+  if (number || comma == std::string_view::npos) return number;
   constexpr std::size_t longest = 64;
   if (field.size() > longest || field.find('.') != std::string_view::npos) return std::nullopt;
   std::array<char, longest> point{};

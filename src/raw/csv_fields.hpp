@@ -65,9 +65,18 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
   return trimmed(rest.substr(0, end), around);
 }
 
-/// Returns a number with a decimal point or, if commas do not separate the fields, a decimal comma.
-/// A plus may precede it. Returns nothing for any other text.
-std::optional<double> number_in_field(std::string_view field, char separator);
+/// Returns a number with a decimal point or a decimal comma, which only a field in quotes has if
+/// commas separate the fields. A plus may precede it. Returns nothing for any other text.
+std::optional<double> number_in_field(std::string_view field);
+
+/// Returns what to do about a number with separators of thousands, such as 1.640,337; empty for
+/// other texts.
+inline std::string_view remedy_for_thousands(std::string_view field) {
+  const bool may_have_thousands = field.find('.') != std::string_view::npos &&
+                                  field.find(',') != std::string_view::npos &&
+                                  field.find_first_not_of("+-0123456789.,eE") == field.npos;
+  return may_have_thousands ? "; write decimal points and no thousands separators" : "";
+}
 
 /// Remembers the decimal sign of a column. If a column has both a point and a comma, one of them
 /// separates thousands.

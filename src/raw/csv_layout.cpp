@@ -24,6 +24,9 @@ constexpr std::size_t most_lines_before = 10'000;
 /// Number of lines from the first numbers on that show the layout.
 constexpr std::size_t most_lines_of_numbers = 200;
 
+/// Stands for the separator of a single column.
+constexpr char no_separator = ';';
+
 /// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
 bool is_date_or_time(std::string_view text) {
   const auto count = [&](std::string_view signs) {
@@ -93,7 +96,7 @@ bool is_row_of_numbers(std::string_view line) {
   std::size_t numbers = 0;
   for (std::optional rest = line; rest; ++numbers) {
     const std::string_view field = take_field(rest, separator);
-    if (!number_in_field(field, separator) && (rest || !field.empty())) return false;
+    if (!number_in_field(field) && (rest || !field.empty())) return false;
   }
   return true;
 }
@@ -144,8 +147,7 @@ class Search {
     if (line.is_comment) return false;
     const auto found = fields(line, separator);
     const bool ends_with_separator = found.size() == count + 1 && found.back().empty();
-    return (found.size() == count || ends_with_separator) &&
-           number_in_field(found[column], separator);
+    return (found.size() == count || ends_with_separator) && number_in_field(found[column]);
   }
 
   [[nodiscard]] bool is_named_above(const Line& line, char separator, std::size_t count,
@@ -173,19 +175,20 @@ class Search {
     if (line.is_comment) return;
     const auto found = fields(line, separator);
     const std::string_view field = found.size() == count ? found[column] : line.text;
-    const bool is_named_number = number_in_field(field, separator) && holds_letters(line.text);
+    const bool is_named_number = number_in_field(field) && holds_letters(line.text);
     const bool is_empty = field.empty() && holds_letters(line.text);
     if (holds_letters(field) || is_named_number || is_empty || is_date_or_time(field)) return;
     refuse_csv_line(file_, line.number,
                     "column " + column_ + " holds " + csv_field_in_quotes(field) +
-                        ", neither a number nor a name");
+                        ", neither a number nor a name" + std::string(remedy_for_thousands(field)));
   }
 
   std::optional<CsvLayout> find_by_number() {
     const std::size_t column = number_in<std::size_t>(column_).value_or(0) - 1;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       if (lines_[i].is_comment) continue;
-      const char separator = separator_of(lines_[i].text);
+      const char separator =
+          column == 0 && is_column_of_decimals(i) ? no_separator : separator_of(lines_[i].text);
       const std::size_t count = fields(lines_[i], separator).size();
       if (column >= count || !holds_number(lines_[i], separator, count, column)) continue;
       // A single number among an instrument's text is followed by something else.
@@ -199,12 +202,30 @@ class Search {
     return header_alone(column);
   }
 
+  /// True if the lines from here on, ten at least, are one column of numbers with decimal commas,
+  /// not two columns of whole numbers, which programs write without a -0 and without a padded 05.
+  [[nodiscard]] bool is_column_of_decimals(std::size_t first) const {
+    constexpr std::size_t fewest = 10;
+    if (lines_.size() < first + fewest) return false;
+    bool has_negative_zero = false;
+    bool has_padding = false;
+    for (std::size_t i = first; i < lines_.size(); ++i) {
+      const std::string_view text = trimmed(lines_[i].text, blanks);
+      const std::size_t comma = text.find(',');
+      if (!number_in_field(text)) return false;
+      if (comma == text.npos) continue;
+      has_negative_zero = has_negative_zero || text.substr(0, comma) == "-0";
+      has_padding = has_padding || (text.size() > comma + 2 && text[comma + 1] == '0');
+    }
+    return has_negative_zero && has_padding;
+  }
+
   /// True if a line with words, such as "Sample rate,12000", has numbers in other fields than the
   /// last line read.
   [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
     if (!holds_letters(line.text)) return false;
     const auto is_number = [&](std::string_view field) {
-      return number_in_field(field, separator).has_value();
+      return number_in_field(field).has_value();
     };
     return !std::ranges::equal(fields(line, separator), fields(lines_.back(), separator), {},
                                is_number, is_number);
@@ -247,7 +268,7 @@ class Search {
       if (!holds_number(line, found.separator, found.fields, found.column)) return;
       column.push_back(fields(line, found.separator)[found.column]);
     }
-    if (column.size() <= enough || rises(column, found.separator)) return;
+    if (column.size() <= enough || rises(column)) return;
     const Form last = form_of(column.back());
     const auto first_where = [&](const auto& is_sample) {
       const auto other = std::find_if_not(column.rbegin(), column.rend(), is_sample);
@@ -275,9 +296,9 @@ class Search {
     return std::ranges::all_of(numbers, [](auto text) { return text == "0" || text == "-0"; });
   }
 
-  static bool rises(const std::vector<std::string_view>& column, char separator) {
-    return std::ranges::is_sorted(
-        column, {}, [&](std::string_view number) { return number_in_field(number, separator); });
+  static bool rises(const std::vector<std::string_view>& column) {
+    return std::ranges::is_sorted(column, {},
+                                  [&](std::string_view number) { return number_in_field(number); });
   }
 
   [[nodiscard]] bool has_text_before(std::size_t end) const {
@@ -381,9 +402,8 @@ class Search {
     const char separator = separator_of(line.text);
     auto found = fields(line, separator);
     if (found.size() > 1 && found.back().empty()) found.pop_back();
-    const bool is_row = std::ranges::all_of(found, [&](std::string_view field) {
-      return number_in_field(field, separator).has_value();
-    });
+    const bool is_row = std::ranges::all_of(
+        found, [&](std::string_view field) { return number_in_field(field).has_value(); });
     return is_row ? found.size() : 0;
   }
 

@@ -120,7 +120,7 @@ class LvmReader {
       refuse_file(file_, fmt::format("channel {} is not sampled over Time, but over {}",
                                      names_[column(channel_)], dimension));
     }
-    const auto step = number_in_field(entry("Delta_X", column(channel_)), separator_);
+    const auto step = number_in_field(entry("Delta_X", column(channel_)));
     return step && *step > 0 ? std::optional(1 / *step) : std::nullopt;
   }
 
@@ -195,7 +195,7 @@ class LvmReader {
       return fmt::format("channel {} holds {}", names_[place], csv_field_in_quotes(field));
     };
     if (!has_value) refuse_line(holds() + ", where its header declares no value");
-    const auto value = number_in_field(field, separator_);
+    const auto value = number_in_field(field);
     if (!value) refuse_line(holds() + ", not a number");
     if (separator_ != ',' && !sign_.fits(field)) {
       refuse_line(holds() + ", whose decimal sign is not the one in the header");

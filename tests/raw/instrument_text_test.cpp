@@ -261,6 +261,39 @@ TEST_F(InstrumentText, IsRefusedWithAmbiguousCommas) {
   EXPECT_THAT(read_here(folder_.write("a.txt", "2 437\n3 465\n"), "1"), ElementsAre(2, 3));
 }
 
+TEST_F(InstrumentText, MayHaveQuotedDecimalCommas) {
+  expect_read("t,x\n\"0,000\",\"-0,5\"\n\"0,001\",\"1,25\"\n\"0,002\",2\n", "x");
+  expect_read("\"0,000\",\"-0,5\"\n\"0,001\",\"1,25\"\n\"0,002\",\"2\"\n", "2");
+  expect_refused("t,x\n0,\"2,401\"\n1,\"640\"\n2,\"-1,233\"\n", "x",
+                 "line 2: holds '2,401', where the comma may precede decimals or thousands");
+  expect_refused("t,x\n0.1,\"2,401\"\n0.2,\"0,25\"\n", "x",
+                 "line 2: holds '2,401' and '0.1', with two decimal signs");
+  expect_refused("t,x\n0,\"2,40\"\n0,0.25\n", "x",
+                 "line 3: column x holds '0.25', but a line above has the other decimal sign");
+}
+
+TEST_F(InstrumentText, MayBeAColumnOfDecimalCommas) {
+  // Whole numbers are written without a -0 before and a padded 05 behind the comma.
+  const std::string ten = "1,020\n-0,500\n3,25\n-4\n5\n6\n7\n8\n9\n10,5\n";
+  EXPECT_THAT(read_here(folder_.write("a.txt", ten), "1"),
+              ElementsAre(1.02, -0.5, 3.25, -4, 5, 6, 7, 8, 9, 10.5));
+  const std::string why = "the numbers seem to have decimal commas";
+  expect_refused("1,020\n-0,500\n3,250\n", "1", why);  // too few to tell
+  std::string counts;                                  // a counter and a time of day have no -0
+  for (int i = 0; i < 10; ++i) counts += "5,09301" + std::to_string(i) + "\n";
+  expect_refused(counts, "1", why);
+}
+
+TEST_F(InstrumentText, IsRefusedWithSeparatorsOfThousands) {
+  const std::string how = "; write decimal points and no thousands separators";
+  expect_refused("a;b\n0,1;1.640,337\n0,2;2.640,337\n", "2",
+                 "line 2: column 2 holds '1.640,337', not a number" + how);
+  expect_refused("a;b\n0,1;1.640,337\n0,2;2.640,337\n", "b",
+                 "line 2: column b holds '1.640,337', not a number" + how);
+  expect_refused("a,b\n0.1,\"640.5\"\n0.2,\"2,640.337\"\n", "b",
+                 "line 3: column b holds '2,640.337', not a number" + how);
+}
+
 TEST_F(InstrumentText, MayHaveLeadingZerosBelowAHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "x,y\n0,1\n9,-0\n-8,02053\n"), "y"),
               ElementsAre(1, 0, 2053));
