@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/comma_list.hpp"
@@ -20,9 +21,8 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 using Keys = std::map<std::string, double>;
 
-constexpr std::array geometry_keys{"balls", "ball_diameter_mm", "pitch_diameter_mm",
-                                   "contact_angle_deg"};
-constexpr std::array order_keys{"bpfo", "bpfi", "bsf", "ftf"};
+constexpr std::span geometry_keys = std::span(keys_of_bearings).first(4);
+constexpr std::span order_keys = std::span(keys_of_bearings).last(4);
 const Words header{"designation",
                    "balls",
                    "ball_diameter_mm",
@@ -67,14 +67,20 @@ bool has_number(const std::string& written) {
   return std::ranges::count_if(written, is_digit) >= 2;
 }
 
-/// True if consecutive words of the row, joined, equal the requested designation.
-bool holds_words(const Words& row, const std::string& written) {
-  for (std::size_t first = 0; first < row.size(); ++first) {
-    for (std::size_t count = 1; first + count <= row.size(); ++count) {
-      if (joined_words(std::span(row).subspan(first, count)) == written) return true;
+/// Returns all runs of consecutive words, joined.
+Words runs_of(const Words& words) {
+  Words runs;
+  for (std::size_t first = 0; first < words.size(); ++first) {
+    for (std::size_t count = 1; first + count <= words.size(); ++count) {
+      runs.push_back(joined_words(std::span(words).subspan(first, count)));
     }
   }
-  return false;
+  return runs;
+}
+
+/// True if consecutive words of the row, joined, equal the requested designation.
+bool holds_words(const Words& row, const std::string& written) {
+  return std::ranges::count(runs_of(row), written) > 0;
 }
 
 /// Returns the numbers of those keys that a row has, from field `first` on.
@@ -131,25 +137,60 @@ std::string designations_of(const std::vector<Row>& rows) {
   return comma_list(rows, &Row::designation);
 }
 
-/// Returns the rows whose whole designation matches. Without such a row, returns those that contain
-/// its words.
-std::vector<Row> rows_called(const std::string& written, const std::vector<Row>& rows) {
-  std::vector<Row> whole;
-  std::vector<Row> part;
-  for (const Row& row : rows) {
-    const Words words = words_of(row.designation);
-    if (joined_words(words) == written) whole.push_back(row);
-    if (has_number(written) && holds_words(words, written)) part.push_back(row);
+/// Removes marks of seals, shields and clearance, which change no dimension: 6205-2Z/C3 and 6205ZZ
+/// are a 6205. Keeps a 2 next to digits, because 6202Z is a 6202.
+Words without_suffixes(const Words& words) {
+  constexpr std::array<std::string_view, 4> attached{"ZZ", "Z", "RS", "C3"};
+  constexpr std::array<std::string_view, 2> apart{"2Z", "2RS"};
+  Words found;
+  for (const std::string& word : words) {
+    std::string_view stem = std::ranges::count(apart, word) > 0 ? "" : word;
+    for (bool again = true; again;) {
+      again = false;
+      for (const std::string_view suffix : attached) {
+        if (!stem.ends_with(suffix)) continue;
+        stem.remove_suffix(suffix.size());
+        again = true;
+      }
+    }
+    if (stem.empty()) continue;
+    const bool ends_with_digit = std::isdigit(static_cast<unsigned char>(stem.back())) != 0;
+    found.push_back(ends_with_digit ? std::string(stem) : word);
   }
-  return whole.empty() ? part : whole;
+  return found;
 }
 
-/// Returns the rows that share a word with the request, as a hint.
+/// Returns the rows whose whole designation matches. Without such a row, returns those that contain
+/// its words; otherwise those that do so apart from suffixes.
+std::vector<Row> rows_called(const Words& written, const std::vector<Row>& rows) {
+  std::vector<Row> whole;
+  std::vector<Row> part;
+  std::vector<Row> stem;
+  const std::string all = joined_words(written);
+  const std::string all_stems = joined_words(without_suffixes(written));
+  for (const Row& row : rows) {
+    const Words words = words_of(row.designation);
+    if (joined_words(words) == all) whole.push_back(row);
+    if (has_number(all) && holds_words(words, all)) part.push_back(row);
+    const bool is_alike = has_number(all_stems) && holds_words(without_suffixes(words), all_stems);
+    if (is_alike) stem.push_back(row);
+  }
+  if (!whole.empty()) return whole;
+  return part.empty() ? stem : part;
+}
+
+/// Returns the rows that share words with the request, as a hint.
 std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
+  const Words runs = runs_of(without_suffixes(written));
   std::vector<Row> like;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
-    if (std::ranges::find_first_of(words, written) != words.end()) like.push_back(row);
+    const Words row_stems = without_suffixes(words);
+    const bool shares_a_run = std::ranges::any_of(runs, [&](const std::string& run) {
+      return has_number(run) && holds_words(row_stems, run);
+    });
+    const bool shares_a_word = std::ranges::find_first_of(words, written) != words.end();
+    if (shares_a_run || shares_a_word) like.push_back(row);
   }
   return like;
 }
@@ -159,7 +200,7 @@ std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
 Keys bearing_called(const std::string& designation, const fs::path& table) {
   const std::vector<Row> rows = rows_of(table);
   const Words words = words_of(designation);
-  const std::vector<Row> found = rows_called(joined_words(words), rows);
+  const std::vector<Row> found = rows_called(words, rows);
   if (found.empty()) {
     const std::string like = designations_of(rows_like(words, rows));
     throw Error(Exit::bad_input,

@@ -1,15 +1,22 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
 
 namespace piae::signal {
 
+/// Keys of [bearing] that a designation decides: dimensions, then orders.
+inline constexpr std::array<const char*, 8> keys_of_bearings{
+    "balls", "ball_diameter_mm", "pitch_diameter_mm", "contact_angle_deg", "bpfo", "bpfi", "bsf",
+    "ftf"};
+
 /// Returns the keys of [bearing] that a table of bearings (pipeline/bearings.csv) has for a
 /// designation: the geometry, or the orders if the row has no geometry. Ignores case, blanks and
-/// hyphens. Some words of a designation are enough: "6205-2RS" finds "SKF 6205-2RS JEM". Returns
-/// the first of several matching rows.
+/// hyphens. Some words of a designation are enough: "6205-2RS" finds "SKF 6205-2RS JEM". If no row
+/// has these words, ignores seals, shields and clearance: "6205ZZ/C3" finds it, too. Returns the
+/// first of several matching rows.
 /// Throws Error(input_missing) without the table. Throws Error(bad_input) if no row matches, if
 /// matching rows differ by more than 1 % in BPFO or BPFI, or if the table is damaged.
 std::map<std::string, double> bearing_called(const std::string& designation,

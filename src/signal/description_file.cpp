@@ -1,9 +1,12 @@
 #include "signal/description_file.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -20,8 +23,9 @@ namespace {
 
 [[noreturn]] void refuse_node(const fs::path& file, const toml::node& node, const std::string& what,
                               Exit exit = Exit::bad_input) {
-  throw Error(exit, one_line(file.string() + ", line " + std::to_string(node.source().begin.line) +
-                             ": " + what));
+  const toml::source_region& place = node.source();
+  throw Error(exit, one_line((place.path ? *place.path : file.string()) + ", line " +
+                             std::to_string(place.begin.line) + ": " + what));
 }
 
 /// Returns the file named by `like`, if the description has one.
@@ -49,13 +53,18 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
   return model;
 }
 
+/// True for a table of a bearing by its designation, which decides all dimensions.
+bool is_by_designation(std::string_view key, const toml::node& node) {
+  return key == "bearing" && node.is_table() && node.as_table()->contains("designation");
+}
+
 /// Adds to `description` the keys of `model` that it lacks.
 void complete(toml::table& description, toml::table& model) {
   for (auto&& [key, node] : model) {
     toml::node* own = description.get(key);
     if (own == nullptr) {
       description.insert(key, std::move(node));
-    } else if (own->is_table() && node.is_table()) {
+    } else if (own->is_table() && node.is_table() && !is_by_designation(key.str(), *own)) {
       complete(*own->as_table(), *node.as_table());
     }
   }
@@ -86,6 +95,13 @@ void complete_bearing(const fs::path& file, toml::table& description) {
   if (node == nullptr) return;
   const auto designation = node->value<std::string>();
   if (!designation) refuse_node(file, *node, "bearing.designation must be a text in quotes");
+  for (const char* const key : keys_of_bearings) {
+    const toml::node* const own = bearing->get(key);
+    if (own == nullptr) continue;
+    refuse_node(
+        file, *own,
+        fmt::format("bearing.{} is given, but designation decides it; remove one of the two", key));
+  }
   try {
     const fs::path table = (file.parent_path() / ".." / "bearings.csv").lexically_normal();
     for (const auto& [key, value] : bearing_called(*designation, table)) {

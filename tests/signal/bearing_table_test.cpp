@@ -47,6 +47,21 @@ TEST(BearingTable, GivesAGeometryBySomeOfTheWords) {
   EXPECT_EQ(bearing_called("6205", table).at("pitch_diameter_mm"), 39.04);  // the first of two
 }
 
+TEST(BearingTable, IgnoresSealsAndClearance) {
+  const Folder folder;
+  const auto table = folder.write("bearings.csv", some_rows + "NSK 6203ZZ,8,6.77,28.5,0,,,,,one\n");
+  for (const char* suffix :
+       {"Z", "ZZ", "-2Z", " 2Z", "RS", "-RS", " 2RS", "/C3", " C3", "-ZZ/C3", "-2Z-C3", "ZZC3"}) {
+    EXPECT_EQ(bearing_called("NU2205" + std::string(suffix), table).at("balls"), 13) << suffix;
+    EXPECT_EQ(bearing_called("fag nu2205" + std::string(suffix), table).at("balls"), 13) << suffix;
+    EXPECT_EQ(bearing_called("6203" + std::string(suffix), table).at("balls"), 8) << suffix;
+  }
+  EXPECT_EQ(bearing_called("6203", table).at("pitch_diameter_mm"), 28.5);
+  for (const char* other : {"NU2205K", "NU2205 ECP", "NSK NU2205ZZ", "C3", "2Z", "ZZ"}) {
+    EXPECT_ERROR(bearing_called(other, table), Exit::bad_input, "' has no row");
+  }
+}
+
 TEST(BearingTable, GivesOrdersIfTheGeometryIsUnknown) {
   const Folder folder;
   EXPECT_THAT(bearing_called("NTN 6201", folder.write("bearings.csv", some_rows)),
@@ -64,6 +79,9 @@ TEST(BearingTable, ListsSimilarBearings) {
   for (const std::string part : {"JEM", "2RS", "SKF"}) {
     refused(part,
             "'" + part + "' has no row in " + table.string() + "; similar are SKF 6205-2RS JEM");
+  }
+  for (const std::string part : {"NU 2205 ECP", "NU2205-ECP", "NSK NU2205ZZ"}) {
+    refused(part, "'" + part + "' has no row in " + table.string() + "; similar are FAG NU2205;");
   }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
   refused("620", "'620' has no row");  // part of a word is not enough

@@ -58,16 +58,39 @@ TEST(DescriptionFile, TakesABearingByItsDesignation) {
     return read_description_file(
         folder.write("datasets/a.toml", "name = \"a\"\n[bearing]\n" + bearing));
   };
-  const toml::table own = described("designation = \"skf6205\"\nball_diameter_mm = 8\n");
+  const toml::table own = described("designation = \"skf6205\"\ninner_raceway_mm = 31\n");
   EXPECT_EQ(own["bearing"]["balls"].value<int>(), 9);
-  EXPECT_EQ(own["bearing"]["ball_diameter_mm"].value<double>(), 8);  // own value wins
+  EXPECT_EQ(own["bearing"]["ball_diameter_mm"].value<double>(), 7.94);
   EXPECT_EQ(own["bearing"]["pitch_diameter_mm"].value<double>(), 39);
   EXPECT_FALSE(own["bearing"].as_table()->contains("designation"));
+  for (const std::string key : {"balls", "ball_diameter_mm", "pitch_diameter_mm",
+                                "contact_angle_deg", "bpfo", "bpfi", "bsf", "ftf"}) {
+    EXPECT_ERROR(described("designation = \"6205\"\n" + key + " = 5\n"), Exit::bad_input,
+                 "a.toml, line 4: bearing." + key +
+                     " is given, but designation decides it; remove one of the two");
+  }
   EXPECT_ERROR(described("designation = \"6311\"\n"), Exit::bad_input,
                "a.toml, line 3: bearing.designation '6311' has no row in " +
                    (folder / "bearings.csv").string());
   EXPECT_ERROR(described("designation = 6205\n"), Exit::bad_input,
                "line 3: bearing.designation must be a text in quotes");
+}
+
+TEST(DescriptionFile, ReplacesTheBearingOfItsModelByADesignation) {
+  const Folder folder;
+  folder.write("bearings.csv",
+               "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,"
+               "bsf,ftf,source\nSKF 6205,9,7.94,39,0,,,,,the paper\n");
+  folder.write("datasets/rig.toml", two_speeds);
+  const auto file = folder.write(
+      "datasets/b.toml", "name = \"b\"\nlike = \"rig\"\n[bearing]\ndesignation = \"SKF 6205\"\n");
+  const toml::table description = read_description_file(file);
+  EXPECT_EQ(description["bearing"]["balls"].value<int>(), 9);
+  EXPECT_EQ(description["bearing"]["pitch_diameter_mm"].value<double>(), 39);
+  const auto other =
+      folder.write("datasets/c.toml", "name = \"c\"\nlike = \"b\"\n[bearing]\nballs = 8\n");
+  EXPECT_ERROR(read_description_file(other), Exit::bad_input,
+               other.string() + ", line 4: bearing.balls is given, but designation decides it");
 }
 
 TEST(DescriptionFile, NamesTheFileOfAnError) {
