@@ -1,13 +1,25 @@
 #include "signal/described_split.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/comma_list.hpp"
 #include "base/error.hpp"
+#include "signal/meant_key.hpp"
 
 namespace piae::signal {
+
+namespace {
+
+std::set<std::string> names_of(const std::vector<SplitSetting>& settings) {
+  std::set<std::string> names;
+  for (const SplitSetting& setting : settings) names.insert(setting.name);
+  return names;
+}
+
+}  // namespace
 
 SplitSettings read_described_split(TomlTable& root) {
   SplitSettings settings;
@@ -18,7 +30,11 @@ SplitSettings read_described_split(TomlTable& root) {
   for (const auto& [key, node] : table->plain()) {
     const std::string name(key.str());
     const auto setting = std::ranges::find(known, name, &SplitSetting::name);
-    if (setting == known.end()) table->refuse(name, "is unknown; known keys are " + list);
+    if (setting == known.end()) {
+      const std::string meant = meant_key(name, names_of(known));
+      table->refuse(name,
+                    "is unknown; known keys are " + list + (meant.empty() ? "" : "; " + meant));
+    }
     const std::int64_t value = table->integer(name, setting->range);
     if (name == known_per_class && value == 0 && root.has("transfer")) {
       table->refuse(name,

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -66,13 +67,35 @@ bearing::Geometry bearing_by_orders(TomlTable& table, double shaft_hz) {
   }
 }
 
-bool is_by_orders(const TomlTable& bearing) { return bearing.has("bpfo") || bearing.has("bpfi"); }
+constexpr std::array order_keys_of_a_bearing{"bpfo", "bpfi", "bsf", "ftf"};
+
+bool is_by_orders(const TomlTable& bearing) {
+  return std::ranges::any_of(order_keys_of_a_bearing,
+                             [&](const char* key) { return bearing.has(key); });
+}
+
+constexpr std::array dimension_keys{"balls",
+                                    "ball_diameter_mm",
+                                    "pitch_diameter_mm",
+                                    "inner_raceway_mm",
+                                    "outer_raceway_mm",
+                                    "contact_angle_deg"};
+
+void require_no_dimensions(const TomlTable& bearing) {
+  for (const char* const key : dimension_keys) {
+    if (!bearing.has(key)) continue;
+    bearing.refuse(key, "is given, but so is an order; give dimensions or orders, not both");
+  }
+}
 
 bearing::Geometry described_bearing(TomlTable table, double shaft_hz) {
+  std::vector<std::string> keys{"designation"};
+  keys.insert(keys.end(), order_keys_of_a_bearing.begin(), order_keys_of_a_bearing.end());
+  keys.insert(keys.end(), dimension_keys.begin(), dimension_keys.end());
+  table.require_only(keys);
   if (is_by_orders(table)) {
-    const bearing::Geometry bearing = bearing_by_orders(table, shaft_hz);
-    table.finish();
-    return bearing;
+    require_no_dimensions(table);
+    return bearing_by_orders(table, shaft_hz);
   }
   bearing::Geometry bearing;
   bearing.balls = static_cast<int>(table.integer("balls", ranges::balls));
@@ -83,7 +106,6 @@ bearing::Geometry described_bearing(TomlTable table, double shaft_hz) {
   bearing.outer_raceway_mm = table.optional_number("outer_raceway_mm", ranges::length_mm)
                                  .value_or(bearing.pitch_diameter_mm + bearing.ball_diameter_mm);
   bearing.contact_angle_deg = table.number("contact_angle_deg", ranges::contact_angle_deg);
-  table.finish();
   return bearing;
 }
 
@@ -260,11 +282,13 @@ void set_mean_sizes(const std::vector<TomlTable>& classes, const std::vector<Rec
   }
 }
 
-void require_described_records(const fs::path& file, const Description& description) {
+void require_described_records(const fs::path& file, const TomlTable& root,
+                               const Description& description) {
   for (const Label label : description.info.labels()) {
     if (std::ranges::count(description.records, label, &RecordSource::label) > 0) continue;
     throw Error(Exit::bad_input, file.string() + ": class " +
-                                     description.info.class_of(label).name + " has no [[record]]");
+                                     description.info.class_of(label).name + " has no [[record]]" +
+                                     root.given_for("record"));
   }
 }
 
@@ -366,7 +390,7 @@ Description read_description(const fs::path& file) {
     refuse_size_without_dimensions(root, table);
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
-  require_described_records(file, description);
+  require_described_records(file, root, description);
   description.split = read_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);

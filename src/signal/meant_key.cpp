@@ -68,10 +68,13 @@ constexpr std::array synonyms{Synonym{"column", "variable"},
                               Synonym{"number_of_balls", "balls"},
                               Synonym{"n_balls", "balls"},
                               Synonym{"model", "designation"},
+                              Synonym{"type", "designation"},
+                              Synonym{"name", "designation"},
                               Synonym{"number", "designation"},
                               Synonym{"sha", "sha256"},
                               Synonym{"checksum", "sha256"}};
 
+/// Other words for each defect.
 constexpr std::array defects{Synonym{"ball", "roller"},
                              Synonym{"balls", "roller"},
                              Synonym{"rolling element", "roller"},
@@ -104,8 +107,16 @@ SplitKey split_key(std::string_view key) {
   return {key.substr(0, end), key.substr(end + 1)};
 }
 
+/// True for a key with a word that adds nothing, such as bpfo_order or class_name.
+bool is_with_filler(std::string_view given, std::string_view key) {
+  const auto [stem, filler] = split_key(given);
+  return stem == key && (filler == "order" || filler == "name");
+}
+
 /// Returns the size of the given unit in the key's unit, if both name the same quantity.
 std::optional<double> factor_between(std::string_view given, std::string_view key) {
+  constexpr double standard_gravity_m_per_s2 = 9.80665;
+  if (given == "unit_g" && key == "unit_m_per_s2") return standard_gravity_m_per_s2;
   const auto [stem, unit] = split_key(given);
   const auto [known_stem, known_unit] = split_key(key);
   if (stem != known_stem) return std::nullopt;
@@ -149,23 +160,26 @@ bool is_near(std::string_view given, std::string_view key) {
 std::string meant_key(const std::string& given, const std::set<std::string>& known) {
   const std::string name = lower(given);
   for (const std::string& key : known) {
-    if (split_key(key).stem == name) return "write " + key;
+    if (lower(key) == name || split_key(key).stem == name || is_with_filler(name, key)) {
+      return "write " + key;
+    }
     if (const auto factor = factor_between(name, key)) {
       return fmt::format("write {}, {:g} times the value", key, *factor);
     }
   }
-  const auto* const synonym = std::ranges::find(synonyms, name, &Synonym::given);
-  if (synonym != synonyms.end() && known.contains(std::string(synonym->key))) {
-    return "write " + std::string(synonym->key);
-  }
-  const auto near =
-      std::ranges::find_if(known, [&](const std::string& key) { return is_near(name, key); });
+  const auto* const synonym = std::ranges::find_if(synonyms, [&](const Synonym& s) {
+    return s.given == name && known.contains(std::string(s.key));
+  });
+  if (synonym != synonyms.end()) return "write " + std::string(synonym->key);
+  const auto near = std::ranges::find_if(
+      known, [&](const std::string& key) { return is_near(name, lower(key)); });
   return near == known.end() ? "" : "write " + *near;
 }
 
 std::string meant_defect(const std::string& given) {
   std::string word = lower(given);
   std::ranges::replace(word, '_', ' ');
+  if (std::ranges::count(defects, word, &Synonym::key) > 0) return word;
   const auto* const found = std::ranges::find(defects, word, &Synonym::given);
   return found == defects.end() ? "" : std::string(found->key);
 }

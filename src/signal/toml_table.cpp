@@ -131,6 +131,11 @@ void TomlTable::finish() const {
   }
 }
 
+void TomlTable::require_only(const std::vector<std::string>& keys) {
+  known_keys_.insert(keys.begin(), keys.end());
+  finish();
+}
+
 void TomlTable::refuse(const std::string& key, const std::string& what) const {
   const toml::node* node = table_->get(key);
   const toml::source_region& place = node != nullptr ? node->source() : table_->source();

@@ -47,6 +47,13 @@ class TomlTable {
   /// Refuses keys that no call has requested. Call it after reading all keys of the table.
   void finish() const;
 
+  /// Refuses keys other than these. Call it before the first read, where a key may be missing
+  /// because another one stands for it.
+  void require_only(const std::vector<std::string>& keys);
+
+  /// Returns a hint at the key that seems to stand for a missing one; empty if none does.
+  [[nodiscard]] std::string given_for(const std::string& missing) const;
+
   /// Returns the plain table for other readers. Its keys are not checked.
   [[nodiscard]] const toml::table& plain() const { return *table_; }
 
@@ -62,8 +69,6 @@ class TomlTable {
       : file_(std::move(file)), table_(table), name_(std::move(name)) {}
 
   const toml::node& node(const std::string& key);
-  /// Returns a hint at the key that seems to stand for a missing one; empty if none does.
-  [[nodiscard]] std::string given_for(const std::string& missing) const;
   [[nodiscard]] std::string checked(const std::string& key, const std::string& text) const;
 
   std::shared_ptr<const File> file_;

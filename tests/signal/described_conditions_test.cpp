@@ -144,6 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"file = \"c.csv\"", "file = \"c.csv\"\ndefect_size_mm = 90",
                 "record.defect_size_mm is refused: defect size 90"},
         Refused{"# end", "[split]\nwindows = 3", "split.windows is unknown; known keys are window"},
+        Refused{"# end", "[split]\nwindows_per_class = 3", "; write windows-per-class"},
         Refused{"# end", "[split]\nwindow = 0", "split.window must be from 1"},
         Refused{"# end", "[split]\nknown-per-class = -1", "split.known-per-class must be from 0"},
         Refused{

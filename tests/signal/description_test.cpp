@@ -187,7 +187,14 @@ TEST(Description, AcceptsOrdersAloneIfNoSizeIsKnown) {
   refused(described_by_orders("bpfo = 3.5\nbpfi = 5.9\n"),
           "bearing.bpfo and the other orders are refused: bpfo + bpfi is 9.4");
   refused(described_by_orders("bpfo = 3.5\n"), "bearing.bpfi is missing");
-  refused(described_by_orders(orders + "balls = 9\n"), "bearing.balls is unknown");
+  for (const std::string dimension :
+       {"balls = 9", "ball_diameter_mm = 7.94", "pitch_diameter_mm = 39", "contact_angle_deg = 0",
+        "inner_raceway_mm = 31", "outer_raceway_mm = 47"}) {
+    const std::string key = dimension.substr(0, dimension.find(' '));
+    refused(
+        described_by_orders(orders + dimension + '\n'),
+        "bearing." + key + " is given, but so is an order; give dimensions or orders, not both");
+  }
   refused(replaced(described_by_orders(orders), "defect = \"outer\"",
                    "defect = \"outer\"\ndefect_size_mm = 0.5"),
           "class.defect_size_mm needs a bearing with dimensions");
@@ -254,6 +261,19 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"shaft_speed_rpm = 900", "", "shaft_speed_rpm is missing"},
         Damage{"balls = 8", "balls = 8.5", "line 6: bearing.balls must be a whole number"},
         Damage{"balls = 8", "balls = 0", "line 6: bearing.balls must be from 3 to 1000"},
+        Damage{"balls = 8", "Designation = \"SKF 6205\"",
+               "line 6: bearing.Designation is unknown; write designation"},
+        Damage{"balls = 8", "type = \"SKF 6205\"", "bearing.type is unknown; write designation"},
+        Damage{"balls = 8", "balls = 8\nbsf = 2.3", "bearing.balls is given, but so is an order"},
+        Damage{"balls = 8", "BPFO = 3.5", "line 6: bearing.BPFO is unknown; write bpfo"},
+        Damage{"balls = 8", "bpfo_order = 3.5", "bearing.bpfo_order is unknown; write bpfo"},
+        Damage{"balls = 8", "colour = 3",
+               "bearing.colour is unknown; known keys are ball_diameter_mm, balls, bpfi, bpfo"},
+        Damage{"[[record]]\nclass = \"ok\"", "[[records]]\nclass = \"ok\"",
+               "class ok has no [[record]]; instead of records, write record"},
+        Damage{"= \"outer\"", "= \"Outer\"", "roller, other; write 'outer'"},
+        Damage{"variable = \"x\"", "variable = \"x\"\nunit_g = 1",
+               "record.unit_g is unknown; write unit_m_per_s2, 9.80665 times the value"},
         Damage{"pitch_diameter_mm = 33.5", "", "line 5: bearing.pitch_diameter_mm is missing"},
         Damage{"pitch_diameter_mm = 33.5", "pitch_diameter_mm = 3.5", "bearing is refused: "},
         Damage{"defect_size_mm = 0.5", "defect_size_mm = 50",
