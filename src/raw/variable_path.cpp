@@ -8,6 +8,17 @@ namespace piae::raw {
 
 namespace {
 
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Returns a number that blanks may surround.
+std::optional<std::size_t> number_between_blanks(std::string_view text) {
+  return number_in<std::size_t>(without_blanks(text));
+}
+
 /// Takes the text in brackets from the end of a text; returns nothing if it does not end in
 /// brackets.
 std::optional<std::string> take_brackets(std::string& text, char open, char close) {
@@ -31,10 +42,10 @@ std::optional<PathStep> parse_step(std::string text) {
     if (!number) continue;
     const std::string_view inside = *number;
     const std::size_t comma = inside.find(',');
-    step.number = number_in<std::size_t>(inside.substr(0, comma)).value_or(0);
+    step.number = number_between_blanks(inside.substr(0, comma)).value_or(0);
     if (step.number == 0 || !step.key.empty()) return std::nullopt;
     if (comma == std::string_view::npos) continue;
-    step.column = number_in<std::size_t>(inside.substr(comma + 1)).value_or(0);
+    step.column = number_between_blanks(inside.substr(comma + 1)).value_or(0);
     if (step.column == 0) return std::nullopt;
   }
   if (text.empty() || text.find_first_of("[](){}=") != std::string::npos) return std::nullopt;
@@ -64,11 +75,14 @@ std::optional<MatrixLine> take_matrix_line(std::string& text) {
   const std::size_t begin = text.rfind('(');
   if (begin == std::string::npos || !text.ends_with(')')) return std::nullopt;
   const std::string inside = text.substr(begin + 1, text.size() - begin - 2);
-  const bool is_row = inside.ends_with(",:");
-  if (!is_row && !inside.starts_with(":,")) return std::nullopt;
-  const auto number =
-      number_in<std::size_t>(is_row ? std::string_view(inside).substr(0, inside.size() - 2)
-                                    : std::string_view(inside).substr(2));
+  const std::string_view both = inside;
+  const std::size_t comma = both.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const std::string_view row = without_blanks(both.substr(0, comma));
+  const std::string_view column = without_blanks(both.substr(comma + 1));
+  const bool is_row = column == ":";
+  if (!is_row && row != ":") return std::nullopt;
+  const auto number = number_in<std::size_t>(is_row ? row : column);
   if (!number || *number == 0) return std::nullopt;
   text.resize(begin);
   return MatrixLine{is_row, *number};

@@ -34,13 +34,18 @@ TEST(VariablePath, HasFieldsElementsAndALine) {
   EXPECT_EQ(described("Y(2,3).Data"), "Y#2,3 Data");
   EXPECT_EQ(described("data(2,:)"), "data row 2");
   EXPECT_EQ(described("s.data(:,12)"), "s data column 12");
+  EXPECT_EQ(described("data(2, :)"), "data row 2");
+  EXPECT_EQ(described("data( : , 12 )"), "data column 12");
+  EXPECT_EQ(described("Y( 2, 3 ).Data"), "Y#2,3 Data");
+  EXPECT_EQ(described("c{ 3 }"), "c#3");
 }
 
 TEST(VariablePath, RefusesOtherTexts) {
   for (const char* text :
-       {"",       ".x",       "x.",      "x..y",      "x(0)",   "x(a)",   "x(-1)",  "x[Name]",
-        "x[=a]",  "x(1",      "x(1)(2)", "x[a=b](1)", "x(0,:)", "x(:,0)", "x(:,:)", "x(2,0)",
-        "x(0,3)", "x(2,3,4)", "x(1:3)",  "x(end,:)",  "x[0]",   "x[0,:]", "(2,:)"}) {
+       {"",        ".x",       "x.",     "x..y",     "x(0)",      "x(a)",   "x(-1)",
+        "x[Name]", "x[=a]",    "x(1",    "x(1)(2)",  "x[a=b](1)", "x(0,:)", "x(:,0)",
+        "x(:,:)",  "x(2,0)",   "x(0,3)", "x(2,3,4)", "x(1 2)",    "x( )",   "x(1 2,:)",
+        "x(1:3)",  "x(end,:)", "x[0]",   "x[0,:]",   "(2,:)"}) {
     EXPECT_EQ(described(text), "none") << text;
   }
 }
