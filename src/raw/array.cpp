@@ -32,7 +32,10 @@ void require_vector(const Where& where, const Shape& shape) {
   std::erase(extents, 1);
   if (extents.size() < 2) return;
   if (extents.size() > 2 || shape.size() != 2) {
-    refuse(where, fmt::format("is not a vector, but an array of {}", fmt::join(shape, " x ")));
+    refuse(where,
+           fmt::format("is not a vector, but an array of {}; save the samples as a vector or "
+                       "matrix",
+                       fmt::join(shape, " x ")));
   }
   const bool by_rows = shape[0] <= shape[1];
   refuse(where, fmt::format("is not a vector, but a matrix of {} x {}; name a {} of it: {}{}",

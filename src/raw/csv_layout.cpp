@@ -438,6 +438,12 @@ class Search {
       refuse_csv_line(file_, header->number,
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
     }
+    if (header == &lines_.front() && numbers_in(*header) > 0) {
+      refuse_csv_line(file_, header->number,
+                      fmt::format("has no column {}, because there is no header; name the column "
+                                  "by its number, 1 to {}",
+                                  column_, count));
+    }
     if (std::ranges::any_of(names, has_control_characters)) {
       refuse_csv_line(
           file_, header->number,

@@ -137,6 +137,20 @@ bool is_mat4(std::string_view bytes) {
          number(1) > 0 && number(2) > 0 && bytes.find('\0') != std::string_view::npos;
 }
 
+/// True if FLAC follows an ID3 tag, whose length stands in 7 bits of each of four bytes.
+bool is_tagged_flac(const fs::path& file, std::string_view bytes) {
+  constexpr std::size_t head = 10;
+  if (!bytes.starts_with("ID3") || bytes.size() < head) return false;
+  std::streamoff length = head;
+  for (std::size_t i = 0; i < 4; ++i) {
+    length += static_cast<std::streamoff>(bytes[6 + i] & 0x7F) << (7 * (3 - i));
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 4> mark{};
+  in.seekg(length).read(mark.data(), mark.size());
+  return in.good() && std::string_view(mark.data(), mark.size()) == "fLaC";
+}
+
 /// True for characters that text has, and no others: MATLAB's save -ascii and Octave's save write
 /// text into .mat files.
 bool is_text(std::string_view bytes) {
@@ -148,6 +162,9 @@ bool is_text(std::string_view bytes) {
 
 Read reader_of(const fs::path& file) {
   const std::string bytes = without_byte_order_mark(beginning_of(file));
+  if (is_tagged_flac(file, bytes)) {
+    refuse_file(file, "is FLAC behind an ID3 tag; remove the tag: id3v2 --delete-all FILE");
+  }
   for (const Mark& mark : marks) {
     if (bytes.size() < mark.at ||
         !std::string_view(bytes).substr(mark.at).starts_with(mark.bytes)) {

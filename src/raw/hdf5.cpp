@@ -63,7 +63,7 @@ herr_t note_datasets(hid_t group, const char* name, const H5L_info_t* link, void
 }
 
 /// Target of the links of a path.
-enum class Place { here, nowhere, elsewhere };
+enum class Place { here, nowhere, elsewhere, circle };
 
 /// Follows the links of a path within the file and replaces the path by one without soft links.
 Place resolve(hid_t file, std::string& path) {
@@ -79,7 +79,8 @@ Place resolve(hid_t file, std::string& path) {
     if (H5Lexists(file, until.c_str(), H5P_DEFAULT) <= 0) return Place::nowhere;
     hdf5::check(H5Lget_info(file, until.c_str(), &link, H5P_DEFAULT), until.c_str());
     if (link.type == H5L_TYPE_HARD) continue;
-    if (link.type != H5L_TYPE_SOFT || ++links > most_links) return Place::elsewhere;
+    if (link.type != H5L_TYPE_SOFT) return Place::elsewhere;
+    if (++links > most_links) return Place::circle;
     std::string target(link.u.val_size, '\0');
     hdf5::check(H5Lget_val(file, until.c_str(), target.data(), target.size(), H5P_DEFAULT),
                 until.c_str());
@@ -295,12 +296,16 @@ hdf5::Handle opened(const fs::path& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};
 }
 
-/// Returns the object at a path, if there is one. Throws if the path leads to another file.
+/// Returns the object at a path, if there is one. Throws if the path leads to another file
+/// or in a circle.
 std::optional<hdf5::Handle> object_at(const fs::path& path, hid_t file, std::string name) {
   const std::string written = name;
   const Place place = resolve(file, name);
   if (place == Place::elsewhere) {
     refuse_file(path, written + " is a link to another file; name that file");
+  }
+  if (place == Place::circle) {
+    refuse_file(path, written + " leads in a circle of soft links; name the dataset itself");
   }
   if (place == Place::nowhere) return std::nullopt;
   return opened_object(file, name);

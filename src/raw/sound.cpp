@@ -192,13 +192,21 @@ std::size_t channel_in(const fs::path& file, const std::string& channel, int cha
   return static_cast<std::size_t>(*number - 1);
 }
 
+[[noreturn]] void refuse_unopened(const fs::path& file) {
+  const std::string why = sf_strerror(nullptr);
+  const bool lacks_rate = why.find("SF_INFO struct incomplete") != std::string::npos;
+  refuse_file(file, lacks_rate
+                        ? "declares a sample rate of 0 Hz; correct its header: sox -r RATE FILE OUT"
+                        : "cannot be read: " + why);
+}
+
 }  // namespace
 
 Signal read_sound(const fs::path& file, const std::string& channel) {
   require_whole(file);
   SF_INFO info{};
   const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open(file.c_str(), SFM_READ, &info));
-  if (!sound) refuse_file(file, std::string("cannot be read: ") + sf_strerror(nullptr));
+  if (!sound) refuse_unopened(file);
   require_lossless(file, info);
   const std::size_t index = channel_in(file, channel, info.channels);
   const auto channels = static_cast<std::size_t>(info.channels);

@@ -72,6 +72,14 @@ TEST(Formats, AreRefusedWithAConversionIfUnsupported) {
     EXPECT_ERROR(read_here(folder.write(name, pointer), "1"), Exit::bad_input,
                  "is a Git LFS pointer, not the recording: fetch it (git lfs pull)");
   }
+  for (const std::size_t size : {20U, 1000U}) {  // of the tag without its header, in 7 bits a byte
+    const std::string tag = std::string("ID3\3\0\0\0\0", 8) + static_cast<char>(size >> 7) +
+                            static_cast<char>(size & 127) + std::string(size, 'x');
+    EXPECT_ERROR(read_here(folder.write("a.flac", tag + "fLaC"), "1"), Exit::bad_input,
+                 "is FLAC behind an ID3 tag; remove the tag: id3v2 --delete-all FILE");
+    EXPECT_ERROR(read_here(folder.write("a.flac", tag + "\xff\xfb"), "1"), Exit::bad_input,
+                 "is sound with lossy compression");
+  }
   const std::string mat4("\0\0\0\0\x03\0\0\0\x01\0\0\0\0\0\0\0\x02\0\0\0x\0", 22);
   EXPECT_ERROR(read_here(folder.write("a.mat", mat4 + std::string(24, '\0')), "x"), Exit::bad_input,
                "is a MATLAB file of version 4: save it as version 5");

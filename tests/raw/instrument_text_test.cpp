@@ -357,6 +357,12 @@ TEST_F(InstrumentText, IsReadByNumberIfTheHeaderHasOtherFields) {
   expect_read(",x\n" + rows, "x");  // pandas writes row numbers with an empty header
 }
 
+TEST_F(InstrumentText, HasNoNamesWithoutAHeader) {
+  expect_refused("0,-0.5\n1,1.25\n", "acc",
+                 ", line 1: has no column acc, because there is no header; name the column by its "
+                 "number, 1 to 2");
+}
+
 TEST_F(InstrumentText, IsRefusedWithASingleRow) {
   std::string row = "0.5";
   for (int i = 0; i < 200; ++i) row += ",0.5";

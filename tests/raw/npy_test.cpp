@@ -57,6 +57,10 @@ TEST(Npy, HoldsRowsAndColumns) {
   EXPECT_THAT(read_here(columns, "(2,:)"), ElementsAre(2, 4, 6));
   EXPECT_ERROR(read_here(rows, "1"), Exit::bad_input,
                "is not a vector, but a matrix of 2 x 3; name a row of it: (1,:)");
+  const auto cube = folder.write("c.npy", npy<float>("<f4", "False", "(3, 1, 2)", six));
+  EXPECT_ERROR(
+      read_here(cube, "1"), Exit::bad_input,
+      "is not a vector, but an array of 3 x 1 x 2; save the samples as a vector or matrix");
   EXPECT_ERROR(read_here(rows, "(3,:)"), Exit::bad_input, "has 2 rows; number 3 does not exist");
   EXPECT_ERROR(read_here(rows, "x"), Exit::bad_input, "a.npy: has no variable x");
 }

@@ -232,5 +232,13 @@ TEST(Sound, IsRefusedWithARepairIfItsLengthWasNeverWritten) {
                "sox --ignore-length");
 }
 
+TEST(Sound, IsRefusedWithoutARate) {
+  const Folder folder;
+  std::string bytes = wav();
+  for (std::size_t i = 24; i < 28; ++i) bytes[i] = '\0';
+  EXPECT_ERROR(read_here(folder.write("a.wav", bytes), "1"), Exit::bad_input,
+               "a.wav: declares a sample rate of 0 Hz; correct its header: sox -r RATE");
+}
+
 }  // namespace
 }  // namespace piae::raw
