@@ -76,6 +76,20 @@ bool has_zeros_in_turn(const std::vector<double>& values) {
   return many > 10 && many >= values.size() / 2 && few < many / 2;
 }
 
+/// True if each value seems to be two samples of 16 bits: both halves vary and are small. The low
+/// half of a larger whole number fills its range, and the high half of a small one is 0 or -1.
+bool has_two_samples_each(std::string_view bytes) {
+  std::array<std::vector<double>, 2> halves;  // low, high
+  const std::vector<double> all = values_in<std::int16_t>(bytes);
+  for (std::size_t i = 0; i < all.size(); ++i) halves.at(i % 2).push_back(all[i]);
+  constexpr double nearly_all = 0.99;
+  const auto are_samples = [](const std::vector<double>& half) {
+    return share_of_small(half, std::ldexp(1, 15)) >= nearly_all &&
+           (std::ranges::min(half) < -1 || std::ranges::max(half) > 0);
+  };
+  return std::ranges::all_of(halves, are_samples);
+}
+
 /// Returns the share of values that vibration may have if the bytes are in this format.
 double share_that_fits(SampleFormat format, std::string_view bytes) {
   switch (format) {
@@ -92,6 +106,7 @@ double share_that_fits(SampleFormat format, std::string_view bytes) {
     case SampleFormat::i16:
       return share_of_small(values_in<std::int16_t>(bytes), std::ldexp(1, 15));
     case SampleFormat::i32:
+      if (has_two_samples_each(bytes)) return 0;
       return share_of_small(values_in<std::int32_t>(bytes), std::ldexp(1, 31));
     case SampleFormat::wav:
     case SampleFormat::text:

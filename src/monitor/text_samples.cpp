@@ -45,6 +45,8 @@ void TextSamples::add(std::span<const std::byte> bytes, std::vector<double>& sam
 
 void TextSamples::end_line(std::vector<double>& samples) {
   ++ended_;
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (ended_ == 1 && line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());
   const std::string_view text = without_blanks(line_);
   const std::optional<double> value = is_too_long_ ? std::nullopt : number_of(text);
   if (!value && !text.empty()) {

@@ -61,6 +61,7 @@ void WavStream::skip(std::uint64_t bytes) {
 void WavStream::read_part() {
   switch (part_) {
     case Part::beginning:
+      if (has_text_at(0, "RF64")) refuse("is RF64, not WAV; convert it: sox FILE -t wav -");
       if (!has_text_at(0, "RIFF") || !has_text_at(8, "WAVE")) {
         refuse("does not begin like WAV (RIFF, WAVE); for raw samples write --format f32");
       }

@@ -143,7 +143,7 @@ TEST(Samples, RevealTheirFormat) {
       {"f64", as_bytes_of(f64), {Format::f32, Format::f32be, Format::f64be, Format::i16}},
       {"f64", as_bytes_of(of_f32), {Format::f32, Format::f32be, Format::f64be}},
       {"f64", as_bytes_of(whole), {Format::f32}},
-      {"i16", as_bytes_of(i16), {Format::f32, Format::f64, Format::f32be}},
+      {"i16", as_bytes_of(i16), {Format::f32, Format::f64, Format::f32be, Format::i32}},
       {"i32", as_bytes_of(i32), {Format::f32, Format::f64, Format::i16}}};
   for (const auto& [right, bytes, wrong_ones] : cases) {
     for (const auto& [name, format] : sample_format_words()) {
@@ -165,6 +165,40 @@ TEST(Samples, AreNotReadFromANumPyFile) {
     EXPECT_ERROR(add(decoder, "\x93NUMPY\x01" + std::string(100, 'x'), samples), Exit::bad_input,
                  "pump: begins like a NumPy file; pipe in only its samples: python3 -c");
   }
+}
+
+/// Low halves of 24 bits fill their range, those of 16 bits in 32 are 0, and numbers within 16 bits
+/// have high halves of 0 or -1.
+TEST(Samples, Of32BitsAreNotTakenFor16) {
+  Stream random("halves");
+  for (const double scale : {300., 65536. * 1000, 256. * 10'000}) {
+    std::vector<std::int32_t> samples;
+    for (int i = 0; i < 4000; ++i) {
+      const long whole = std::lround(random.normal(0, 1) * 1000);
+      samples.push_back(static_cast<std::int32_t>(static_cast<double>(whole) * scale / 1000));
+    }
+    if (scale > 1e7) {
+      for (std::int32_t& sample : samples) sample = sample / 65536 * 65536;
+    }
+    SampleDecoder decoder(SampleFormat::i32, "raw", rate_hz);
+    Numbers numbers;
+    add(decoder, as_bytes_of(samples), numbers);
+    EXPECT_EQ(decoder.likelier_format(), "") << scale;
+  }
+}
+
+TEST(Samples, MayStartWithAByteOrderMark) {
+  SampleDecoder decoder(SampleFormat::text, "pump", rate_hz);
+  Numbers samples;
+  add(decoder, "\xEF\xBB\xBF", samples);
+  add(decoder, "1\n2\n", samples);
+  EXPECT_EQ(samples, (Numbers{1, 2}));
+  EXPECT_EQ(decoder.text().garbled(), 0U);
+  add(decoder,
+      "\xEF\xBB\xBF"
+      "3\n",
+      samples);
+  EXPECT_EQ(decoder.text().garbled(), 1U);  // only at the start
 }
 
 TEST(Samples, HaveNoGapAtABlankLine) {

@@ -130,6 +130,8 @@ TEST(WavStream, RefusesDamage) {
   EXPECT_ERROR(decoded_wav("0.1\n0.2\n0.3\n0.4\n"), Exit::bad_input, "does not begin like WAV");
   EXPECT_ERROR(decoded_wav("RIFX" + wav_of(format_of(1, 16), samples).substr(4)), Exit::bad_input,
                "does not begin like WAV");
+  EXPECT_ERROR(decoded_wav("RF64" + wav_of(format_of(1, 16), samples).substr(4)), Exit::bad_input,
+               "is RF64, not WAV; convert it: sox FILE -t wav -");
   EXPECT_ERROR(decoded_wav(riff(chunk("data", samples))), Exit::bad_input,
                "does not declare the format");
   EXPECT_ERROR(decoded_wav(riff(chunk("fmt ", "short"))), Exit::bad_input, "header is damaged");
