@@ -13,8 +13,12 @@ std::string report_of(const signal::Description& description, const DatasetCheck
   for (const std::string& warning : warnings) text += "warning: " + warning + '\n';
   for (const std::string& problem : problems_of(check)) text += problem + '\n';
   if (check.exit != Exit::done) return text;
-  return text + fmt::format("checked {} records of {} classes, warnings: {}\n",
-                            check.records.size(), check.classes.size(), warnings.size());
+  const auto counted = [](std::size_t n, const char* one, const char* several) {
+    return fmt::format("{} {}", n, n == 1 ? one : several);
+  };
+  return text + fmt::format("checked {} of {}, warnings: {}\n",
+                            counted(check.records.size(), "record", "records"),
+                            counted(check.classes.size(), "class", "classes"), warnings.size());
 }
 
 }  // namespace piae::inspection

@@ -36,7 +36,7 @@ void add_clipped(const RecordCheck& record, const std::string& place, Lines& lin
     values += fmt::format("{}the lowest ({:g})", values.empty() ? "" : " or ", cut.lowest);
   }
   lines.push_back(
-      fmt::format("{}: clipped: {} samples, {:.2g} % of the record, lie exactly on {}, more than "
+      fmt::format("{}: clipped: {} samples, {:.3g} % of the record, lie exactly on {}, more than "
                   "unclipped peaks would leave there; the impacts that show a fault are cut off",
                   place, cut.samples(), percent(cut.samples(), record.file_samples), values));
 }
@@ -46,7 +46,7 @@ void add_held(const RecordCheck& record, const std::string& place, Lines& lines)
   if (held.count == 0) return;
   lines.push_back(fmt::format(
       "{}: constant at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
-      "{:.2g} % of the record; windows from there do not show vibration",
+      "{:.3g} % of the record; windows from there do not show vibration",
       place, held.value, held.longest,
       static_cast<double>(held.longest) / record.source.sample_rate_hz, held.longest_first,
       held.count, held.count == 1 ? "" : "es", percent(held.samples, record.file_samples)));
@@ -71,7 +71,7 @@ void add_repeats(const RecordCheck& record, const std::string& place, Lines& lin
   const std::string more =
       found.count == 1 ? "" : fmt::format(" (the longest of {} such stretches)", found.count);
   lines.push_back(fmt::format(
-      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.2g} % of the record; test "
+      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.3g} % of the record; test "
       "windows then equal training windows, even with PROTOCOL=blocked; cut the file there",
       place, found.first, found.first + found.longest - 1, found.original,
       found.original + found.longest - 1, more, percent(found.samples, record.file_samples)));

@@ -143,6 +143,13 @@ TEST(Warnings, NamePeaksThatAreClippedToOneSample) {
   expect_one(found, {"clipped: 31 samples in 7 stretches"});
 }
 
+TEST(Warnings, WriteAWholeRecordInPercent) {
+  Found found;
+  RecordCheck& record = found.check.records[2];
+  record.cut_tops = {static_cast<std::size_t>(record.file_samples), 0, 4.99, -3.2};
+  expect_one(found, {"samples, 100 % of the record, lie"});
+}
+
 /// Lines and levels follow from the dead sensor and are not reported.
 TEST(Warnings, NameFewDistinctValues) {
   Found found;
