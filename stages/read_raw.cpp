@@ -73,8 +73,10 @@ int main(int argc, char** argv) {
     raw::keep_to(raw::limits_of(files));
     for (const fs::path& one : files) {
       const raw::Signal signal = read_without_writing(one, variable, rate_hz);
-      const raw::Piece piece{
-          .samples = signal.samples.size(), .columns = signal.columns, .times = signal.times};
+      const raw::Piece piece{.samples = signal.samples.size(),
+                             .columns = signal.columns,
+                             .times = signal.times,
+                             .may_be_cut = signal.may_be_cut ? 1U : 0U};
       if (!list.empty()) print(std::as_bytes(std::span(&piece, 1)));
       print(std::as_bytes(std::span(signal.samples)));
     }

@@ -55,7 +55,8 @@ void look_at_record(RecordCheck& found, const Description& description,
     found.files.push_back({.name = raw.files[i].name,
                            .samples = piece.samples,
                            .columns = piece.columns,
-                           .times = piece.times});
+                           .times = piece.times,
+                           .may_be_cut = piece.may_be_cut != 0});
   }
   if (found.length_s() > longest_record_s) {
     constexpr double most = 1e15;  // beyond any record, but still fits a sample count

@@ -34,6 +34,7 @@ struct FileCheck {
   std::size_t samples = 0;  ///< before resampling
   std::size_t columns = 0;  ///< of a text file; else 0
   raw::Times times = {};    ///< of a text file
+  bool may_be_cut = false;  ///< true if its last number may have lost digits
 };
 
 /// Results for one record. An unreadable record has a problem and no numbers.

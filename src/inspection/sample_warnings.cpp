@@ -129,6 +129,16 @@ void add_uneven(const RecordCheck& record, const std::string& place, Lines& line
                   file->times.mean_step));
 }
 
+/// Adds a warning if a file may end within a number.
+void add_cut_end(const RecordCheck& record, const std::string& place, Lines& lines) {
+  const auto file = std::ranges::find_if(record.files, &FileCheck::may_be_cut);
+  if (file == record.files.end()) return;
+  lines.push_back(fmt::format(
+      "{}: the last number{} has no line end and is shorter than 95 % of the others, so the file "
+      "may be cut off; get it again, or remove its last line",
+      place, record.files.size() > 1 ? " of " + file->name : ""));
+}
+
 /// Adds a warning if the times contradict sample_rate_hz. Even times with a known unit do not get
 /// here, because reading the file refuses them.
 void add_other_rate(const RecordCheck& record, const std::string& place, Lines& lines) {
@@ -174,6 +184,7 @@ std::vector<std::string> sample_warnings(const RecordCheck& record) {
   add_steps_back(record, place, lines);
   add_uneven(record, place, lines);
   add_other_rate(record, place, lines);
+  add_cut_end(record, place, lines);
   return lines;
 }
 

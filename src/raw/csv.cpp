@@ -145,6 +145,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
                         " fields, but a row is one moment; write one number per line");
   }
   Signal signal{.samples = std::move(numbers), .columns = layout.fields};
+  signal.may_be_cut = doubts.may_be_cut();
   if (times.size() == signal.samples.size()) signal.times = times_in(times, layout.times);
   return signal;
 }

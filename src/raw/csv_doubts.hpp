@@ -30,6 +30,8 @@ class CsvDoubts {
   void look_at(std::size_t line, const CsvRow& row, std::string_view all);
   /// Throws Error(bad_input), with the line, if the column is ambiguous.
   void require_none() const;
+  /// True if the last number may be cut, after require_none().
+  [[nodiscard]] bool may_be_cut() const { return may_be_cut_ && decimals_.has_rare_end(); }
 
  private:
   /// Lines that differ from the others; the first one is kept for the error.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "base/numbers.hpp"
 
@@ -38,6 +39,7 @@ std::optional<double> number_in_field(std::string_view field) {
 
 void Decimals::add(std::size_t line, std::string_view number) {
   last_ = {line, number};
+  ++by_size_.at(std::min(number.size(), by_size_.size() - 1));
   const std::size_t sign = number.find_first_of(".,");
   last_length_ = sign == std::string_view::npos ? 0 : number.size() - sign - 1;
   if (sign != std::string_view::npos) {
@@ -64,6 +66,15 @@ std::optional<Decimals::Number> Decimals::short_end() const {
   const bool is_alone = others_ + wholes_ + zeros_ == 1;
   const bool is_short = last_length_ < length_ && alike_ >= enough;
   return is_alone && is_short ? std::optional(last_) : std::nullopt;
+}
+
+bool Decimals::has_rare_end() const {
+  constexpr std::size_t rare = 20;  // one number in so many
+  const std::size_t size = std::min(last_.text.size(), by_size_.size() - 1);
+  const auto* const longer = by_size_.begin() + size + 1;
+  const std::size_t short_ones = std::accumulate(by_size_.begin(), longer, std::size_t{0});
+  const std::size_t long_ones = std::accumulate(longer, by_size_.end(), std::size_t{0});
+  return short_ones + long_ones >= enough && long_ones >= (rare - 1) * short_ones;
 }
 
 char separator_of(std::string_view line) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -114,6 +115,9 @@ class Decimals {
   /// Returns the last number if it alone has fewer decimals, or digits of the exponent, than all
   /// others.
   [[nodiscard]] std::optional<Number> short_end() const;
+  /// True if the last number is shorter than 95 % of the others. Numbers whose length varies do not
+  /// show more.
+  [[nodiscard]] bool has_rare_end() const;
 
  private:
   static constexpr std::size_t enough = 100;  ///< numbers alike for each other number
@@ -126,6 +130,7 @@ class Decimals {
   Number first_whole_;
   Number last_;
   std::size_t last_length_ = 0;
+  std::array<std::size_t, 32> by_size_{};  ///< counts of numbers by their size in characters
 };
 
 /// Returns the separator of a line's fields: a semicolon, a tab, a bar, a comma or blanks.

@@ -43,7 +43,9 @@ class LvmReader {
       refuse_line(fmt::format("does not name the {} channels of its header", channels));
     }
     channel_ = channel(wanted, channels);
-    return {.samples = samples(channels), .sample_rate_hz = rate_hz()};
+    Signal signal{.samples = samples(channels), .sample_rate_hz = rate_hz()};
+    signal.may_be_cut = may_be_cut_ && decimals_.has_rare_end();
+    return signal;
   }
 
  private:

@@ -30,6 +30,8 @@ struct Signal {
   std::optional<double> sample_rate_hz = std::nullopt;  ///< none if the file declares none
   std::size_t columns = 0;                              ///< of a text file; 0 for other formats
   Times times = {};                                     ///< of a text file
+  /// True if a text ends in a number without a line end, shorter than nearly all others.
+  bool may_be_cut = false;
 };
 
 /// Header of one file's samples among several files. read_raw writes its bytes before the samples.
@@ -37,6 +39,7 @@ struct Piece {
   std::uint64_t samples = 0;
   std::uint64_t columns = 0;  ///< of a text file; 0 for other formats
   Times times = {};
+  std::uint64_t may_be_cut = 0;  ///< 1 if true
 };
 
 /// Signals of several files, concatenated.

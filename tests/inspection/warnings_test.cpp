@@ -201,6 +201,13 @@ TEST(Warnings, NameTimesThatGoBack) {
                      "sample 59999: several recordings"});
 }
 
+TEST(Warnings, NameAFileThatMayBeCut) {
+  Found found;
+  found.check.records[0].files = {{.name = "ok.csv", .samples = 120000, .may_be_cut = true}};
+  expect_one(found, {"ok (ok.csv, variable 2): the last number has no line end and is shorter than "
+                     "95 % of the others, so the file may be cut off"});
+}
+
 TEST(Warnings, NameUnevenTimes) {
   Found found;
   const raw::Times times{.column = 1, .is_named = true, .is_uneven = true, .mean_step = 1. / 12000};

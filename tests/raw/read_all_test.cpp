@@ -57,6 +57,23 @@ TEST(ReadAll, ReadsFilesOfDifferentLengths) {
   EXPECT_EQ(signals.samples.size(), at);
 }
 
+/// Whole numbers have any length, so a cut one is not damaged for certain.
+TEST(ReadAll, MarksAFileThatMayBeCutWithinItsLastNumber) {
+  const Folder folder;
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += std::to_string(12345 - 100 * i) + '\n';
+  const auto whole = folder.write("whole.txt", text);
+  const auto cut = folder.write("cut.txt", text + "45");
+  const auto complete = folder.write("complete.txt", text + "45\n");
+  const auto usual = folder.write("usual.txt", text + "-4500");
+  const Signals found = read_all({whole, cut, complete, usual}, "1");
+  ASSERT_EQ(found.pieces.size(), 4U);
+  EXPECT_EQ(found.pieces[0].may_be_cut, 0U);
+  EXPECT_EQ(found.pieces[1].may_be_cut, 1U);
+  EXPECT_EQ(found.pieces[2].may_be_cut, 0U);
+  EXPECT_EQ(found.pieces[3].may_be_cut, 0U);
+}
+
 TEST(ReadAll, NamesTheFileThatCannotBeRead) {
   const Folder folder;
   const auto good = folder.write("good.csv", "1\n2\n");
