@@ -68,8 +68,14 @@ int main(int argc, char** argv) {
     if (file.empty() == list.empty()) {
       throw Error(Exit::usage, "give --file or --list (see read_raw --help)");
     }
-    const std::vector<fs::path> files = list.empty() ? std::vector{file} : names_in(list);
     const auto rate_hz = sample_rate_hz > 0 ? std::optional(sample_rate_hz) : std::nullopt;
+    if (list.empty()) {
+      // Another process reads the file, as for ingest, so that a crash in a library ends in a line.
+      const std::vector<double> samples = raw::read(file, variable, rate_hz);
+      print(std::as_bytes(std::span(samples)));
+      return;
+    }
+    const std::vector<fs::path> files = names_in(list);
     raw::keep_to(raw::limits_of(files));
     for (const fs::path& one : files) {
       const raw::Signal signal = read_without_writing(one, variable, rate_hz);
@@ -77,7 +83,7 @@ int main(int argc, char** argv) {
                              .columns = signal.columns,
                              .times = signal.times,
                              .may_be_cut = signal.may_be_cut ? 1U : 0U};
-      if (!list.empty()) print(std::as_bytes(std::span(&piece, 1)));
+      print(std::as_bytes(std::span(&piece, 1)));
       print(std::as_bytes(std::span(signal.samples)));
     }
   });

@@ -7,6 +7,7 @@
 
 #include "stages/program.hpp"
 #include "support/folder.hpp"
+#include "support/harmful_files.hpp"
 
 /// Outputs of read_raw: files, pipes, closed and full ones.
 namespace piae::stages {
@@ -77,6 +78,30 @@ TEST_P(OutputsOfReadRaw, ReportAFaultInTheFile) {
   if (err.keeps) {
     EXPECT_THAT(printed(), HasSubstr("read_raw: numbers.csv, line 1: has no column 7"));
   }
+}
+
+/// libhdf5 1.10 crashes if the layout of a dataset has an older version than it was written with.
+TEST(ReadRaw, ReportsACrashOfALibraryInALine) {
+  const Folder folder;
+  const std::vector<double> values(2000, 1.5);
+  {
+    const harmful::NewHdf5 file(folder / "a.h5");
+    file.dataset("x", H5T_IEEE_F64LE, values.size(), H5P_DEFAULT);
+    const hid_t dataset = H5Dopen2(file.id, "x", H5P_DEFAULT);
+    H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(dataset);
+  }
+  const Arguments arguments{"--file", "a.h5", "--variable", "x"};
+  EXPECT_EQ(run(folder.path(), "read_raw", arguments).status, 0);
+  std::string bytes = bytes_of(folder / "a.h5");
+  const std::size_t layout = bytes.find(std::string("\x08\0\x18\0\0\0\0\0\x03\x01", 10));
+  ASSERT_NE(layout, std::string::npos);
+  bytes[layout + 8] = 2;
+  folder.write("a.h5", bytes);
+  const Outcome outcome = run(folder.path(), "read_raw", arguments);
+  EXPECT_EQ(outcome.status, 65);
+  EXPECT_THAT(outcome.err, testing::StartsWith("read_raw: a.h5: "));
+  EXPECT_EQ(outcome.out, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, OutputsOfReadRaw,
