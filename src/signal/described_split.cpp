@@ -13,7 +13,7 @@ namespace piae::signal {
 
 namespace {
 
-std::set<std::string> names_of(const std::vector<SplitSetting>& settings) {
+std::set<std::string> names_of_settings(const std::vector<SplitSetting>& settings) {
   std::set<std::string> names;
   for (const SplitSetting& setting : settings) names.insert(setting.name);
   return names;
@@ -31,7 +31,7 @@ SplitSettings read_described_split(TomlTable& root) {
     const std::string name(key.str());
     const auto setting = std::ranges::find(known, name, &SplitSetting::name);
     if (setting == known.end()) {
-      const std::string meant = meant_key(name, names_of(known));
+      const std::string meant = meant_key(name, names_of_settings(known));
       table->refuse(name,
                     "is unknown; known keys are " + list + (meant.empty() ? "" : "; " + meant));
     }
