@@ -32,6 +32,20 @@ std::vector<Run> runs_of(std::span<const double> samples) {
   return runs;
 }
 
+/// Returns how often each sample is written: the length of the shortest run if all samples are in
+/// runs, apart from cut ones at the ends; otherwise 1.
+std::size_t times_written(std::span<const double> samples, const std::vector<Run>& runs) {
+  std::size_t in_runs = 0;
+  std::size_t shortest = samples.size();
+  for (const Run& run : runs) {
+    in_runs += run.length;
+    if (run.first == 0 || run.first + run.length == samples.size()) continue;
+    shortest = std::min(shortest, run.length);
+  }
+  constexpr std::size_t ends = 2;
+  return in_runs + ends >= samples.size() ? shortest : 1;
+}
+
 /// True if a step into or out of the run exceeds that at the top of any smooth signal.
 bool is_abrupt(std::span<const double> samples, const Run& run, double quantum) {
   const auto m = static_cast<double>(run.length);
@@ -85,9 +99,12 @@ double quantum_of(std::span<const double> samples) {
 Stretches clipped_peaks(std::span<const double> samples) {
   const auto [low, high] = std::ranges::minmax(samples);
   const double quantum = quantum_of(samples);
+  const std::vector<Run> runs = runs_of(samples);
+  const std::size_t written = times_written(samples, runs);
   Stretches clipped;
-  for (const Run& run : runs_of(samples)) {
+  for (const Run& run : runs) {
     const double value = samples[run.first];
+    if (run.length <= written && written > 1) continue;  // one sample
     if ((value == low || value == high) && is_abrupt(samples, run, quantum)) {
       add_run(clipped, samples, run);
     }

@@ -57,6 +57,22 @@ TEST(Clipped, CountsAndLocatesPeaks) {
   EXPECT_EQ(samples[found.longest_first], 0.8);
 }
 
+Samples repeated(const Samples& samples, std::size_t times) {
+  Samples all;
+  for (const double x : samples) all.insert(all.end(), times, x);
+  return all;
+}
+
+/// Logger programs write each sample twice if they are polled too fast.
+TEST(Clipped, IsNotFoundWhereEachSampleIsWrittenTwice) {
+  Samples clipped = struck();
+  for (double& x : clipped) x = std::clamp(x, -0.3, 0.3);
+  for (const std::size_t times : {2U, 3U}) {
+    EXPECT_EQ(clipped_peaks(repeated(struck(), times)).count, 0U) << times;
+    EXPECT_GT(clipped_peaks(repeated(clipped, times)).count, 20U) << times;
+  }
+}
+
 TEST(Clipped, FindsClippedImpacts) {
   Samples samples = struck();
   for (double& x : samples) x = std::clamp(x, -0.25, 0.25);
