@@ -8,9 +8,7 @@ namespace piae::raw {
 
 namespace {
 
-bool is_word(std::string_view field) {
-  return holds_letters(field) && !number_in_field(field);
-}
+bool is_word(std::string_view field) { return holds_letters(field) && !number_in_field(field); }
 
 }  // namespace
 
