@@ -44,8 +44,8 @@ struct CatalogueEntry {
   bool recommended = false;  ///< true if a run includes it by default, next to the paper's method
 };
 
-/// Returns all entries in the order of the tables. Only this table knows the methods: programs read
-/// it, and make calls a program.
+/// Returns all entries in the order of the tables. This table is the only list of methods: programs
+/// read it, and the Makefile asks a program.
 std::span<const CatalogueEntry> catalogue();
 
 /// Returns the entry of that name; null if there is none.

@@ -9,8 +9,8 @@ namespace piae::augment {
 /// value. So many searches can run at once and have their functions computed together.
 class LineMinimum {
  public:
-  /// Searches between `low` and `high`, to about 2^-bits of the variable, with at most
-  /// `most_values` values after the first.
+  /// Starts at `high` and searches down to `low`. Ends at a relative tolerance of about
+  /// 2^(1 - bits), or after `most_values` values in addition to that at `high`.
   LineMinimum(double low, double high, int bits, int most_values);
 
   [[nodiscard]] bool done() const { return done_; }

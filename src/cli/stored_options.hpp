@@ -15,8 +15,9 @@ namespace piae::cli {
 /// option, with '_' for '-', unless `stored` is given. The values must outlive the table.
 class StoredOptions {
  public:
-  /// Stores the rows that follow in this group of the artefact.
+  /// Sets the group of the artefact that holds the rows added next.
   void in(const std::string& group) { group_ = group; }
+  /// Adds a row. bind(), write() and read() use its value later.
   void add(const std::string& name, double& value, const Range& range, const std::string& help,
            const std::string& stored = "") {
     add_row(name, help, stored, range).number = &value;

@@ -54,13 +54,14 @@ class KeptClassifier {
 
   /// Writes what DatasetInfo writes; the root attributes `classifier`, `input` (made from a
   /// window), `window_length`, `temperature`, `left_out_windows`, and those of ClassifierOrigin;
-  /// /learned (Trained::write()); and /reference (Strangeness::write()) if there is one.
+  /// /learned (Trained::write()); and /reference (Novelty::write()) if there is one.
   void write(artefact::Writer& writer) const;
 
   /// Classifies windows of its data set, length() samples each at the rate of info(). Throws as
   /// Trained::outputs() does.
   Predictions predict(const signal::WindowSet& windows);
-  /// Returns the output without temperature.
+  /// Returns hidden layer, logits and scores as the network gives them. predict() divides the
+  /// logits by the temperature.
   Outputs uncalibrated(const signal::WindowSet& windows);
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return info_; }

@@ -19,7 +19,7 @@ namespace piae::diagnosis {
 /// Returns the log_spectrum() of each window.
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what);
 
-/// Returns the log_envelope_spectrum() of each window.
+/// Returns the log_envelope_spectrum() of each window, standardised, with its label.
 LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std::string& what);
 
 /// Returns both side by side, the log_spectrum() first, each with half of the inputs and scaled

@@ -19,8 +19,9 @@ std::vector<std::string> warnings_of(const signal::Description& description,
 std::vector<std::string> problems_of(const DatasetCheck& check);
 
 /// Returns the oddities in the samples of one record: a time instead of a vibration, clipped peaks,
-/// few distinct values, stretches of one value, spikes, repeated stretches, missing samples, and
-/// times that go back, step unevenly or contradict the rate.
+/// few distinct values, stretches of one value, spikes, repeated stretches, missing samples, a last
+/// number that may be cut off, and times that go back, step unevenly or contradict the rate. A
+/// time, or few values, is reported alone.
 std::vector<std::string> sample_warnings(const RecordCheck& record);
 
 /// Returns the oddities in fault lines: a faulty record without the line of its class, or with a

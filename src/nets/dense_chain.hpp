@@ -33,7 +33,7 @@ class DenseChain final : public Network<T> {
 
   /// Does backward() for one signal and then take() with a scale of 1, in one pass over the
   /// weights. Use it if the norm of the gradients is not needed in between. Returns the gradients
-  /// by the input for the rows of the last forward(), if `by_input` is true.
+  /// by the input for the rows of the last forward(); meaningless unless `by_input` is true.
   Rows<const T> backward_and_take(const AdamStep& step, bool by_input);
 
   /// Runs the forward pass for the derivative of a gradient by the input, as a gradient penalty

@@ -29,9 +29,11 @@ class Node {
   [[nodiscard]] virtual Shape shape() const = 0;
 
   [[nodiscard]] virtual std::vector<std::string> fields() const = 0;
-  /// Returns a field of an element of a structure, or an element of a cell array, counted from 0.
+  /// Returns a field of one element of a structure array, counted from 0; null if it is empty.
+  /// Require first that the field exists.
   [[nodiscard]] virtual std::unique_ptr<Node> field(const std::string& name,
                                                     std::size_t element) const = 0;
+  /// Returns an element of a cell array, counted from 0; null if it is empty.
   [[nodiscard]] virtual std::unique_ptr<Node> element(std::size_t element) const = 0;
 
   [[nodiscard]] virtual std::string text() const = 0;

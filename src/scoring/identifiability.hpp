@@ -14,7 +14,8 @@ struct Agreement {
                             ///< calibration, for which one must know the truth
 };
 
-/// Compares truth and inferred, [n]; value i of both belongs to the same window. Throws
+/// Returns R², relative bias and squared correlation of the inferred against the true values, both
+/// [n]; value i of both belongs to the same window. Throws
 /// std::logic_error if the truth does not vary. Constant inferred values have the correlation 0.
 Agreement agreement(std::span<const double> truth, std::span<const double> inferred);
 

@@ -34,6 +34,8 @@ class RecordReader {
   Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
 
   /// The two halves of read(), so that callers can examine the samples before resampling.
+  /// read_raw() checks the files and remembers the samples, so a second call for the same record
+  /// throws. resampled() converts to the rate and the unit of the dataset.
   RawRecord read_raw(const RecordSource& source);
   [[nodiscard]] Record resampled(const RecordSource& source, RawRecord raw) const;
 

@@ -64,7 +64,8 @@ struct Recordings {
 /// Writes recordings one by one, so that only one needs to be in memory.
 class RecordingsWriter {
  public:
-  /// Keeps references: `writer` and `info` must outlive it.
+  /// Writes `info` and the group of the records. Keeps references: `writer` and `info` must outlive
+  /// it.
   RecordingsWriter(artefact::Writer& writer, const DatasetInfo& info);
   void add(const Record& record);
   /// Writes /pieces, after the last record.

@@ -17,7 +17,7 @@ class Coder {
 
   [[nodiscard]] virtual std::vector<nets::ParameterSpec> specs() const = 0;
 
-  /// Windows [batch, N] -> [batch, 2]; the caller applies softplus, which makes them positive.
+  /// Windows [batch, N] -> [batch, 2]; the caller makes them positive, by softplus or exp.
   [[nodiscard]] virtual torch::Tensor encode(const ParameterSet& parameters,
                                              const torch::Tensor& x) const = 0;
 
