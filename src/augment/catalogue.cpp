@@ -258,6 +258,9 @@ std::unique_ptr<Method> make_method(const std::string& name) {
   const CatalogueEntry* const entry = find_entry(name);
   if (entry != nullptr && entry->make != nullptr) return entry->make();
   const std::string known = fmt::format("{}", fmt::join(method_names(), ", "));
+  if (name == no_method) {
+    throw Error(Exit::usage, "--method: none generates no window, so there is nothing to train");
+  }
   throw Error(Exit::usage, name.empty()
                                ? "--method is missing; known: " + known
                                : "--method: unknown method '" + name + "'; known: " + known);

@@ -89,8 +89,8 @@ std::string wav(const Exported& exported) {
   if (most_bytes > std::numeric_limits<std::uint32_t>::max()) {
     throw Error(
         Exit::usage,
-        "a .wav file holds no more than 4 GB; export fewer windows with --count or --class, "
-        "or .npy");
+        "a .wav file holds no more than 4 GB; export fewer windows with --count or --class, or "
+        "write a .npy");
   }
   Bytes chunks;
   chunks.text("WAVE");

@@ -37,7 +37,8 @@ std::string element_names(const Where& where, const Node& node) {
 /// Refuses a node that is not an array of numbers.
 [[noreturn]] void refuse_kind(const Where& where, const Node& node) {
   const std::size_t count = count_of(node.shape());
-  if (node.kind() == Kind::text) refuse(where, "does not hold numbers, but text");
+  if (node.kind() == Kind::text)
+    refuse(where, "does not hold numbers, but text; name another variable");
   if (node.kind() == Kind::cell) {
     refuse(where,
            fmt::format("is a cell array of {}; name one of them: {}{{1}}", count, where.name));

@@ -252,7 +252,8 @@ class Reader {
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    refuse_file(current_file(), "cannot be read: " + what + "; the file is damaged, get it again");
+    refuse_file(current_file(),
+                "cannot be read: " + what + "; the file may be damaged, get it again");
   }
   [[noreturn]] void refuse_for_time() const {
     refuse("its reader took longer than " + std::to_string(limits_.wall_seconds) +

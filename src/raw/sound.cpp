@@ -197,7 +197,7 @@ std::size_t channel_in(const fs::path& file, const std::string& channel, int cha
   const bool lacks_rate = why.find("SF_INFO struct incomplete") != std::string::npos;
   refuse_file(file, lacks_rate
                         ? "declares a sample rate of 0 Hz; correct its header: sox -r RATE FILE OUT"
-                        : "cannot be read: " + why);
+                        : "cannot be read: " + why + "; convert it to WAV: sox IN OUT.wav");
 }
 
 }  // namespace

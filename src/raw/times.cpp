@@ -169,9 +169,9 @@ Times times_in(std::span<const double> numbers, Times times) {
   }
   times.is_uneven = times.is_named && are_scattered(steps, times.mean_step);
   std::erase_if(steps, [](double step) { return step <= 0; });
-  const bool tells =
+  const bool are_times =
       times.is_named && !steps.empty() && risen >= fewest_coarse_steps * std::ranges::min(steps);
-  return tells ? times : Times{};
+  return are_times ? times : Times{};
 }
 
 std::optional<TimesRate> contradicting_rate(const Times& times, double sample_rate_hz) {

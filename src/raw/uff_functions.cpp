@@ -103,7 +103,11 @@ class UffScan {
   void take_bytes(UffFunction& function, std::string_view type) {
     constexpr int big_endian = 2;
     constexpr int ieee = 2;
-    if (number<int>(type, 13, 6) != ieee) refuse_here("its numbers are not in IEEE 754 format");
+    if (number<int>(type, 13, 6) != ieee) {
+      refuse_file(file_, fmt::format("data set {} has numbers of a DEC or IBM computer, which are "
+                                     "not supported; export it as text, type 58",
+                                     functions_.size() + 1));
+    }
     function.is_big_endian = number<int>(type, 7, 6) == big_endian;
     const auto bytes = number<std::size_t>(type, 31, 12);
     if (bytes > rest_.size()) refuse_here("it has fewer bytes than it declares");

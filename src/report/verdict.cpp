@@ -88,13 +88,13 @@ std::string effects_of_methods(std::vector<AccuracyRow> gains, const AccuracyRow
   }
   const std::size_t seeds = baseline.values.size();
   if (seeds < 3) return of_few_seeds(gains, baseline, ceiling);
-  constexpr std::array said{"help", "make no clear difference", "harm"};
+  constexpr std::array effects{"help", "make no clear difference", "harm"};
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < said.size(); ++i) {
+  for (std::size_t i = 0; i < effects.size(); ++i) {
     if (by_effect[i].empty()) continue;
     const bool one = by_effect[i].size() == 1;
     const std::string verb = i == 1 && one ? "makes no clear difference"
-                                           : std::string(said[i]) + (one && i != 1 ? "s" : "");
+                                           : std::string(effects[i]) + (one && i != 1 ? "s" : "");
     parts.push_back(with_points(by_effect[i], seeds) + ' ' + verb);
   }
   return fmt::format(

@@ -88,8 +88,8 @@ double line_db_of(const signal::WindowSet& set, Label label, const Windows& wind
   const std::vector<std::size_t> own = set.indices_of(label);
   std::map<double, std::vector<Eigen::Index>> by_speed;
   for (Eigen::Index i = 0; i < windows.rows(); ++i) {
-    const bool says = !set.shaft_speed_rpm.empty();
-    by_speed[says ? set.speed_rpm(own[static_cast<std::size_t>(i)]) : info.tested_speed_rpm()]
+    const bool has_speeds = !set.shaft_speed_rpm.empty();
+    by_speed[has_speeds ? set.speed_rpm(own[static_cast<std::size_t>(i)]) : info.tested_speed_rpm()]
         .push_back(i);
   }
   double sum = 0;

@@ -42,8 +42,10 @@ std::vector<double> by_class(const WindowSet& windows) {
     }
     const double value = members.empty() ? 1 : summary.value(members.size() * windows.length);
     if (!(value > 0)) {
-      throw Error(Exit::bad_input, "class " + windows.info.class_of(label).name +
-                                       ": its known windows are constant; check the recording");
+      throw Error(
+          Exit::bad_input,
+          "class " + windows.info.class_of(label).name +
+              ": its known windows are constant; the channel is dead: name another variable");
     }
     all.push_back(value);
   }

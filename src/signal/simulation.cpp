@@ -58,7 +58,8 @@ void read_table(TomlTable& table, Simulation& simulation) {
   simulation.snr_db = table.optional_number("snr_db", ranges::snr_db);
   const bool faulty = simulation.info.classes.size() > 1;
   if (simulation.snr_db && !faulty) {
-    table.refuse("snr_db", "needs a faulty [[class]], whose level sets the noise");
+    table.refuse("snr_db",
+                 "needs a faulty [[class]], whose level sets the noise; add one, or remove snr_db");
   }
 }
 

@@ -66,8 +66,8 @@ TEST_P(GeneratingMethod, HasParentsOfTheSameClassOrNone) {
   const std::vector<std::string> without{
       "dynamics", "physics", "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp"};
   const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 12);
-  const bool says = std::ranges::find(without, GetParam().method) == without.end();
-  ASSERT_EQ(windows.parents.size(), says ? windows.size() : 0);
+  const bool records_parents = std::ranges::find(without, GetParam().method) == without.end();
+  ASSERT_EQ(windows.parents.size(), records_parents ? windows.size() : 0);
   const signal::WindowSet known = known_windows();
   for (std::size_t i = 0; i < windows.parents.size(); ++i) {
     EXPECT_FALSE(windows.parents[i].empty()) << i;

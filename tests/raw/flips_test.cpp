@@ -226,9 +226,9 @@ TEST(Flips, AreFoundInTheFrameHeadersOfSound) {
   expect_contradictions_are_seen(
       folder, {.bytes = wav, .ranges = {{22, 24}, {32, 36}, {40, 44}}, .variable = "1"}, 80);
   const std::string aiff = sound_bytes(folder, SF_FORMAT_AIFF);
-  const std::size_t said = aiff.find("COMM") + 8;  // channels, frames and bits
+  const std::size_t stated = aiff.find("COMM") + 8;  // channels, frames and bits
   expect_contradictions_are_seen(
-      folder, {.bytes = aiff, .ranges = {{said, said + 8}}, .variable = "1"}, 56);
+      folder, {.bytes = aiff, .ranges = {{stated, stated + 8}}, .variable = "1"}, 56);
 }
 
 /// Returns where the keys of the chunk index are, which has no checksum in HDF5's old format. A key

@@ -169,7 +169,8 @@ TEST_F(Uff, IsRefusedIfTruncatedOrDamaged) {
                  "truncated or damaged: its values do not end where it declares");
   std::string vax = bytes;
   vax.replace(vax.find("58b") + 3, 12, "     1     1");
-  expect_refused(vax, "truncated or damaged: its numbers are not in IEEE 754 format");
+  expect_refused(
+      vax, "data set 1 has numbers of a DEC or IBM computer, which are not supported; export");
 }
 
 TEST_F(Uff, IsDistinguishedFromColumnsOfWholeNumbers) {

@@ -110,13 +110,13 @@ TEST_F(Parts, HaveATableForEachRatio) {
 /// Both faults become one fault type, so a window taken for the other fault is correct by type.
 TEST_F(Parts, ShowAccuracyByKindIfConditionsDiffer) {
   for (const std::string folder : {"strike-twin", "sweep@strike-twin/edges-known"}) {
-    scoring::DiagnosisRecord told = record("1to1", 0, folder == "strike-twin" ? 16 : 10);
-    told.info.conditions = {
+    scoring::DiagnosisRecord diagnosis = record("1to1", 0, folder == "strike-twin" ? 16 : 10);
+    diagnosis.info.conditions = {
         {.name = "fast", .shaft_speed_rpm = 1200, .known = true, .test = false, .healthy = true},
         {.name = "slow", .shaft_speed_rpm = 900, .known = false, .test = true, .healthy = true}};
-    told.info.classes.back().defect = told.info.classes[1].defect;
-    told.predictions.back() = 0;
-    save("diagnosis", told, layout_.diagnosis(folder, "1to1", 0, "nearest"));
+    diagnosis.info.classes.back().defect = diagnosis.info.classes[1].defect;
+    diagnosis.predictions.back() = 0;
+    save("diagnosis", diagnosis, layout_.diagnosis(folder, "1to1", 0, "nearest"));
   }
   EXPECT_THAT(csv(sweep_of("edges=known", "0")),
               AllOf(HasSubstr(",kind_mean,kind_std,kind_ci95_low,kind_ci95_high\n"),

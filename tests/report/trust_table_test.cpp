@@ -21,18 +21,18 @@ class TrustTable : public StoredRun {
   }
 
   /// Accuracy, and areas of two classes.
-  struct Worth {
+  struct Figures {
     double accuracy;
     double inner;
     double outer;
   };
-  static diagnosis::Trust trust(const Worth& worth) {
-    return {.accuracy = worth.accuracy,
+  static diagnosis::Trust trust(const Figures& figures) {
+    return {.accuracy = figures.accuracy,
             .raw_calibration_error = 0.1,
             .calibration_error = 0.02,
             .called_unknown = 0.04,
-            .untrained = {{1, {.auroc = worth.inner, .called_unknown = 0.8}},
-                          {2, {.auroc = worth.outer, .called_unknown = 0.6}}}};
+            .untrained = {{1, {.auroc = figures.inner, .called_unknown = 0.8}},
+                          {2, {.auroc = figures.outer, .called_unknown = 0.6}}}};
   }
   void keep(const std::string& method, const std::string& classifier, std::int64_t seed,
             const diagnosis::Trust& trust, double temperature, std::int64_t said_seed = -1) const {

@@ -42,20 +42,20 @@ struct Judged {
 
 /// Returns windows of which three of four are predicted correctly in both classes.
 Judged right_three_times_of_four(int quarters, double logit) {
-  Judged said;
+  Judged judged;
   for (const Label named : {0, 1}) {
-    said.add(3 * quarters, named, named, logit);
-    said.add(quarters, named, 1 - named, logit);
+    judged.add(3 * quarters, named, named, logit);
+    judged.add(quarters, named, 1 - named, logit);
   }
-  return said;
+  return judged;
 }
 
 // The logit of 3 to 1 is ln 3; a logit `factor` times larger needs that temperature. With 80 000
 // windows the probability (n + 1) / (n + 2) hardly matters.
 TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
   for (const double factor : {0.25, 1.0, 2.0, 10.0}) {
-    const Judged said = right_three_times_of_four(10000, factor * std::log(3.0));
-    EXPECT_NEAR(said.temperature(), factor, 1e-3 * factor) << factor;
+    const Judged judged = right_three_times_of_four(10000, factor * std::log(3.0));
+    EXPECT_NEAR(judged.temperature(), factor, 1e-3 * factor) << factor;
   }
 }
 
@@ -63,10 +63,10 @@ TEST(BestTemperature, IsTheFactorByWhichLogitsAreTooLarge) {
 // divided by the temperature is ln(n + 1).
 TEST(BestTemperature, IsBoundByTheNumberOfWindowsIfAllAreCorrect) {
   for (const int each : {4, 50}) {
-    Judged said;
-    said.add(each, 0, 0, 6);
-    said.add(each, 1, 1, 6);
-    EXPECT_NEAR(said.temperature(), 6 / std::log(2.0 * each + 1), 2e-3) << each;
+    Judged judged;
+    judged.add(each, 0, 0, 6);
+    judged.add(each, 1, 1, 6);
+    EXPECT_NEAR(judged.temperature(), 6 / std::log(2.0 * each + 1), 2e-3) << each;
   }
 }
 
@@ -74,11 +74,11 @@ TEST(BestTemperature, IsBoundByTheNumberOfWindowsIfAllAreCorrect) {
 // many windows it has.
 TEST(BestTemperature, WeighsClassesEqually) {
   const auto with_so_many_of_class_1 = [](int count) {
-    Judged said;
-    said.add(30000, 0, 0, 2);
-    said.add(10000, 1, 0, 2);
-    said.add(count, 1, 1, 2);
-    return said.temperature();
+    Judged judged;
+    judged.add(30000, 0, 0, 2);
+    judged.add(10000, 1, 0, 2);
+    judged.add(count, 1, 1, 2);
+    return judged.temperature();
   };
   // Correct with weight 7/8: ln 7 = 2 / T.
   EXPECT_NEAR(with_so_many_of_class_1(40000), 2 / std::log(7.0), 1e-3);

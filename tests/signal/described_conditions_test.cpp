@@ -83,7 +83,7 @@ TEST(DescribedConditions, GiveAClassTheMeanOfItsKnownSizes) {
 struct Refused {
   const char* from;
   const char* to;
-  const char* says;
+  const char* message;
 };
 
 class RefusedConditions : public testing::TestWithParam<Refused> {};
@@ -95,7 +95,7 @@ TEST_P(RefusedConditions, GiveOneLineWithFileLineAndKey) {
       replaced(two_speeds + from_900_to_1200 + "# end\n", refused.from, refused.to);
   const auto file = folder.write("rig.toml", text);
   EXPECT_ERROR(read_description(file), Exit::bad_input, file.string() + ", line ");
-  EXPECT_ERROR(read_description(file), Exit::bad_input, refused.says);
+  EXPECT_ERROR(read_description(file), Exit::bad_input, refused.message);
 }
 
 INSTANTIATE_TEST_SUITE_P(

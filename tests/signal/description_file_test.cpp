@@ -106,9 +106,9 @@ TEST(DescriptionFile, NamesTheFileOfAnError) {
 
 TEST(DescriptionFile, RefusesInvalidModels) {
   const Folder folder;
-  const auto refused = [&](const std::string& text, Exit exit, const std::string& says) {
+  const auto refused = [&](const std::string& text, Exit exit, const std::string& message) {
     const auto file = folder.write("b.toml", text);
-    EXPECT_ERROR(read_description_file(file), exit, file.string() + ", line 2: like " + says);
+    EXPECT_ERROR(read_description_file(file), exit, file.string() + ", line 2: like " + message);
   };
   folder.write("a.toml", "name = \"a\"\nlike = \"b\"\n");
   EXPECT_ERROR(read_description_file(folder.write("b.toml", "name = \"b\"\nlike = \"a\"\n")),

@@ -231,7 +231,7 @@ TEST(Description, NamesTheMissingFile) {
 struct Damage {
   const char* from;
   const char* to;
-  const char* says;
+  const char* message;
 };
 
 class DamagedDescription : public testing::TestWithParam<Damage> {};
@@ -241,7 +241,7 @@ TEST_P(DamagedDescription, GivesOneLineWithFileLineAndKey) {
   const Damage& damage = GetParam();
   const auto file = folder.write("rig.toml", replaced(good, damage.from, damage.to));
   EXPECT_ERROR(read_description(file), Exit::bad_input, file.string());
-  EXPECT_ERROR(read_description(file), Exit::bad_input, damage.says);
+  EXPECT_ERROR(read_description(file), Exit::bad_input, damage.message);
 }
 
 INSTANTIATE_TEST_SUITE_P(

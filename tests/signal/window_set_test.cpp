@@ -110,10 +110,10 @@ TEST(WindowSet, KeepsConditionsWhileAllWindowsHaveThem) {
 
 TEST(WindowSet, IsRefusedWithInvalidConditions) {
   const Folder folder;
-  const auto refused = [&](auto spoil, const std::string& says) {
+  const auto refused = [&](auto spoil, const std::string& message) {
     WindowSet set = set_of_conditions();
     spoil(set);
-    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, says);
+    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, message);
   };
   refused([](WindowSet& s) { s.condition[0] = 2; }, "/condition holds condition 2 of 2");
   refused([](WindowSet& s) { s.condition[0] = -2; }, "/condition holds condition -2 of 2");
@@ -214,10 +214,10 @@ TEST(WindowSet, KeepsParentsWhileAllWindowsHaveThem) {
 
 TEST(WindowSet, IsRefusedWithInvalidParentsOrAngles) {
   const Folder folder;
-  const auto refused = [&](auto spoil, const std::string& says) {
+  const auto refused = [&](auto spoil, const std::string& message) {
     WindowSet set = set_with_parents();
     spoil(set);
-    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, says);
+    EXPECT_ERROR(load_set(save(folder, set)), Exit::bad_input, message);
   };
   refused([](WindowSet& s) { s.parents[1] = {-1}; }, "/parents/known holds -1");
   refused([](WindowSet& s) { s.parents.push_back({0}); },

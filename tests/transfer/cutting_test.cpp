@@ -64,13 +64,13 @@ TEST(Cutting, KeepsTheOrderOfResponses) {
   Stream random("order");
   const std::vector<double> window =
       with_impacts(responses, {.period = 50, .jitter = 0}, 1024, random).samples;
-  std::vector<double> heard;
+  std::vector<double> strengths;
   for (const double x : window) {
-    if (x > 0) heard.push_back(x);
+    if (x > 0) strengths.push_back(x);
   }
-  ASSERT_GE(heard.size(), 20U);
-  for (std::size_t i = 1; i < heard.size(); ++i) {
-    EXPECT_EQ(heard[i], heard[i - 1] == 3 ? 1 : heard[i - 1] + 1) << i;
+  ASSERT_GE(strengths.size(), 20U);
+  for (std::size_t i = 1; i < strengths.size(); ++i) {
+    EXPECT_EQ(strengths[i], strengths[i - 1] == 3 ? 1 : strengths[i - 1] + 1) << i;
   }
 }
 

@@ -24,11 +24,11 @@ TEST(ConvolutionalCoder, NamesPossibleWindowsAndDepths) {
 
 // Stored models with these names and shapes must stay readable.
 TEST(ConvolutionalCoder, HasConvolutionsAndADenseLayer) {
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
   for (const nets::ParameterSpec& spec : convolutional_coder(1024, 3).specs()) {
     std::string line = spec.name;
     for (const std::int64_t n : spec.shape) line += " " + std::to_string(n);
-    told.push_back(line);
+    lines.push_back(line);
   }
   const std::vector<std::string> expected{
       "net/encoder/conv0/weight 16 1 8",  "net/encoder/conv0/bias 16",
@@ -37,7 +37,7 @@ TEST(ConvolutionalCoder, HasConvolutionsAndADenseLayer) {
       "net/decoder/dense/weight 2048 12", "net/decoder/dense/bias 2048",
       "net/decoder/conv0/weight 32 16 8", "net/decoder/conv0/bias 16",
       "net/decoder/conv1/weight 16 1 8",  "net/decoder/conv1/bias 1"};
-  EXPECT_EQ(told, expected);
+  EXPECT_EQ(lines, expected);
 }
 
 }  // namespace

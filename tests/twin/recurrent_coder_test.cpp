@@ -27,11 +27,11 @@ TEST(RecurrentCoder, NamesPossibleWindowsAndDepths) {
 TEST(RecurrentCoder, HasGatedLayersAndADenseLayer) {
   const RecurrentCoder coder({1024, 10}, with_depth(3));
   EXPECT_EQ(coder.frames(), 32);
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
   for (const nets::ParameterSpec& spec : coder.specs()) {
     std::string line = spec.name;
     for (const std::int64_t n : spec.shape) line += " " + std::to_string(n);
-    told.push_back(line);
+    lines.push_back(line);
   }
   const std::vector<std::string> expected{
       "net/encoder/gru0/input_weight 288 32", "net/encoder/gru0/state_weight 288 96",
@@ -44,7 +44,7 @@ TEST(RecurrentCoder, HasGatedLayersAndADenseLayer) {
       "net/decoder/gru1/input_weight 288 96", "net/decoder/gru1/state_weight 288 96",
       "net/decoder/gru1/input_bias 288",      "net/decoder/gru1/state_bias 288",
       "net/decoder/dense/weight 32 96",       "net/decoder/dense/bias 32"};
-  EXPECT_EQ(told, expected);
+  EXPECT_EQ(lines, expected);
 }
 
 }  // namespace

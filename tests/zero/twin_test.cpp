@@ -95,9 +95,9 @@ double level_to_healthy_db(const signal::MadeWindow& made, const Scene& scene) {
           .cast<double>();
   const double forwards = std::abs((window * healthy).mean());
   const double backwards = std::abs((window * healthy.reverse()).mean());
-  const double heard =
+  const double healthy_power =
       std::pow(std::max(forwards, backwards), 2) / healthy.square().mean();  // power ratio
-  return 10 * std::log10((window.square().mean() - heard) / heard);
+  return 10 * std::log10((window.square().mean() - healthy_power) / healthy_power);
 }
 
 TEST(ZeroTwin, HasStrayImpactsAtTheirLevelOverTheBackground) {

@@ -193,14 +193,14 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
     fs::remove(place.words);
     write_bytes(place.words, inputs.make(i));
     const Input input = inputs.choose(i);
-    const Verdict said = read(input, place.reason);
+    const Verdict verdict = read(input, place.reason);
     if (!fs::is_empty(place.reports)) {
       if (!only_lacks_memory(report_in(place.reports), *input.target)) ::_exit(3);
       (void)take_report(place.reports);
     }
     if (took_too_much()) ::_exit(3);
-    if (::write(to, &said, 1) != 1) ::_exit(4);
-    if (said == missed) break;  // the reason and the altered bytes are in files
+    if (::write(to, &verdict, 1) != 1) ::_exit(4);
+    if (verdict == missed) break;  // the reason and the altered bytes are in files
     Inputs::put_back(input);
   }
   ::_exit(0);

@@ -132,15 +132,16 @@ std::string description_of(const std::string& file, const std::string& variable)
 /// Returns why a program's outcome breaks a promise; "" if it does not. `verify` has exit codes of
 /// its own.
 std::string failure_of(const Outcome& outcome, const std::string& name, bool is_verify) {
-  const std::string said = ": " + outcome.out + outcome.err;
+  const std::string printed = ": " + outcome.out + outcome.err;
   const std::string status = std::to_string(outcome.status);
-  if (outcome.hung) return "the program hangs" + said;
-  if (outcome.status > 128) return "the program ended with " + status + said;
+  if (outcome.hung) return "the program hangs" + printed;
+  if (outcome.status > 128) return "the program ended with " + status + printed;
   if (outcome.peak_mb > most_mb)
     return "the program took " + std::to_string(outcome.peak_mb) + " MB";
   if (outcome.status == 0) return {};
-  if (!is_verify && outcome.status != 65) return "the program ended with " + status + said;
-  return said.find(name) == std::string::npos ? "the program does not name the file" + said : "";
+  if (!is_verify && outcome.status != 65) return "the program ended with " + status + printed;
+  return printed.find(name) == std::string::npos ? "the program does not name the file" + printed
+                                                 : "";
 }
 
 }  // namespace
