@@ -56,14 +56,16 @@ std::uint64_t content_bytes(std::span<const std::byte> file, std::size_t at,
 struct LongSizes {
   std::uint64_t file = 0;     ///< bytes after the file's own mark and size
   std::uint64_t samples = 0;  ///< bytes
-  std::uint64_t frames = 0;   ///< 0 if not declared
+  std::uint64_t count = 0;    ///< frames, or samples of all channels; 0 if not declared
 };
 
 LongSizes long_sizes(std::span<const std::byte> content) {
   constexpr std::size_t bytes = 24;
   if (content.size() < bytes) return {};
   const auto size = [&](std::size_t at) { return number_at<std::uint64_t>(content, at, false); };
-  return {.file = size(0), .samples = size(8), .frames = size(16)};
+  constexpr std::uint64_t undeclared = 0xFFFFFFFFFFFFFFFF;
+  const std::uint64_t count = size(16);
+  return {.file = size(0), .samples = size(8), .count = count == undeclared ? 0 : count};
 }
 
 /// True if the file has its declared size. Some recorders never write the size.
@@ -78,8 +80,9 @@ bool has_stated_size(std::span<const std::byte> file, const ChunkFormat& format,
 /// Declared layout of a sound's samples. WAV and W64 declare the frame size twice, AIFF and RF64
 /// the number of frames, so damage shows as a contradiction.
 struct Frames {
-  std::uint64_t bytes = 0;  ///< bytes of one frame; 0 for compressed samples
-  std::uint64_t count = 0;  ///< 0 if not declared
+  std::uint64_t bytes = 0;     ///< bytes of one frame; 0 for compressed samples
+  std::uint64_t count = 0;     ///< 0 if not declared
+  std::uint64_t channels = 1;  ///< RF64's count may be that of all channels' samples
   bool is_consistent = true;
 };
 
@@ -94,6 +97,7 @@ Frames wav_frames(std::span<const std::byte> content) {
   const std::uint64_t bits = field(14);
   const bool is_padded = bits == 24 && frame == 4 * channels;
   return {.bytes = frame,
+          .channels = channels,
           .is_consistent = frame > 0 && (is_padded || frame == channels * ((bits + 7) / 8))};
 }
 
@@ -129,7 +133,10 @@ bool holds(const Frames& stated, std::string_view name, std::span<const std::byt
   if (!stated.is_consistent || before > content.size()) return false;
   if (stated.bytes == 0) return true;
   const std::uint64_t bytes = content.size() - before;
-  return bytes % stated.bytes == 0 && (stated.count == 0 || stated.count == bytes / stated.bytes);
+  const std::uint64_t frames = bytes / stated.bytes;
+  const bool has_count =
+      stated.count == 0 || stated.count == frames || stated.count == frames * stated.channels;
+  return bytes % stated.bytes == 0 && has_count;
 }
 
 /// Refuses a file of chunks with fewer or more samples than declared. libsndfile would read the
@@ -160,7 +167,7 @@ void require_whole(const fs::path& file) {
     if (name == "fmt ") stated = wav_frames(content_of_chunk);
     if (name == "COMM") stated = aiff_frames(content_of_chunk, bytes.substr(8, 4) == "AIFC");
     if (name == "ds64") sizes = long_sizes(content_of_chunk);
-    if (sizes.frames > 0) stated.count = sizes.frames;
+    if (sizes.count > 0) stated.count = sizes.count;
     if (has_samples && !holds(stated, name, content_of_chunk)) {
       refuse_file(file, "damaged: its channels, bits or length contradict its samples");
     }

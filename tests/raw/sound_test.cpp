@@ -193,8 +193,13 @@ TEST(Sound, IsRefusedInRf64IfItsLengthsContradict) {
     EXPECT_ERROR(read_here(with(8, 4 * length - fewer), "1"), Exit::bad_input, "a: damaged: its");
     EXPECT_ERROR(read_here(with(16, length - fewer), "1"), Exit::bad_input, "a: damaged: its");
   }
-  // Recorders may leave out the number of frames, which only compressed samples need.
+  // Recorders may leave out the number of frames, which only compressed samples need, or count the
+  // samples of both channels.
   expect_samples(read_here(with(16, 0), "1"), 1);
+  expect_samples(read_here(with(16, 2 * length), "1"), 1);
+  EXPECT_ERROR(read_here(with(16, 3 * length), "1"), Exit::bad_input, "a: damaged: its");
+  bytes.replace(sizes + 20, 4, 4, '\xff');
+  expect_samples(read_here(with(16, 0xFFFFFFFF), "1"), 1);
 }
 
 TEST(Sound, IsRefusedWithLossyCompressionInAnyContainer) {
