@@ -1,5 +1,8 @@
 #include "raw/tdms.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -54,15 +57,50 @@ void append(const Where& where, std::span<const std::byte> bytes, const TdmsSegm
   }
 }
 
+/// True for the file and the group of a channel.
+bool is_above(const TdmsObject& object, const TdmsObject& channel) {
+  return object.path.empty() || (object.path.size() == 1 && object.path[0] == channel.path[0]);
+}
+
 /// Returns the properties of a channel, its group and its file; the channel's own take precedence.
 TdmsProperties inherited(const std::vector<TdmsObject>& objects, const TdmsObject& channel) {
   TdmsProperties properties = channel.properties;
   for (const TdmsObject& object : objects) {
-    const bool is_above =
-        object.path.empty() || (object.path.size() == 1 && object.path[0] == channel.path[0]);
-    if (is_above) properties.insert(object.properties.begin(), object.properties.end());
+    if (is_above(object, channel)) {
+      properties.insert(object.properties.begin(), object.properties.end());
+    }
   }
   return properties;
+}
+
+[[noreturn]] void refuse_change(const Where& where, const std::string& name) {
+  refuse(
+      where,
+      fmt::format("changes its {} between its values; save each part as a file of its own", name));
+}
+
+/// Refuses a channel whose scales change after its first values, because all values are read with
+/// the last scales. Without scales, a new scaling status changes nothing.
+void require_same_scales(const Where& where, const TdmsProperties& properties,
+                         const std::set<std::string>& changed) {
+  const bool has_scales = std::ranges::any_of(
+      properties, [](const auto& one) { return one.first.starts_with("NI_Scale["); });
+  for (const std::string& name : changed) {
+    const bool counts = name == "NI_Number_Of_Scales" || name.starts_with("NI_Scale[") ||
+                        (has_scales && name == "NI_Scaling_Status");
+    if (counts) refuse_change(where, name);
+  }
+}
+
+/// Refuses a channel whose rate or scales change after its first values.
+void require_constant(const Where& where, const std::vector<TdmsObject>& objects,
+                      const TdmsObject& channel) {
+  if (channel.changed.contains("wf_increment")) refuse_change(where, "wf_increment");
+  const TdmsProperties properties = inherited(objects, channel);
+  require_same_scales(where, properties, channel.changed);
+  for (const TdmsObject& object : objects) {
+    if (is_above(object, channel)) require_same_scales(where, properties, object.changed);
+  }
 }
 
 std::optional<double> rate_hz(const TdmsObject& channel) {
@@ -82,6 +120,7 @@ Signal read_tdms(const fs::path& file, const std::string& wanted) {
   const std::size_t index = object_called(file, objects, wanted);
   const TdmsObject& channel = objects[index];
   const Where where{.file = file, .noun = "channel", .name = name_of(channel)};
+  require_constant(where, objects, channel);
   Signal signal{.samples = {}, .sample_rate_hz = rate_hz(channel)};
   walk_tdms(file, bytes, [&](const TdmsSegment& segment) {
     append(where, bytes, segment, index, signal.samples);

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -52,6 +53,22 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
   return a > std::numeric_limits<std::uint64_t>::max() - b
              ? std::numeric_limits<std::uint64_t>::max()
              : a + b;
+}
+
+/// True if a property keeps its value. Writers that compute it for each segment change last bits.
+bool is_same(const TdmsProperty& a, const TdmsProperty& b) {
+  constexpr double tolerance = 1e-9;
+  const auto* const x = std::get_if<double>(&a);
+  const auto* const y = std::get_if<double>(&b);
+  if (x == nullptr || y == nullptr) return a == b;
+  if (std::isnan(*x) && std::isnan(*y)) return true;
+  return *x == *y || std::abs(*x - *y) < tolerance * std::max(std::abs(*x), std::abs(*y));
+}
+
+/// True for a rate that the writer has not set yet.
+bool is_missing_rate(const std::string& name, const TdmsProperty& value) {
+  const auto* const seconds = std::get_if<double>(&value);
+  return name == "wf_increment" && seconds != nullptr && !(*seconds > 0);
 }
 
 /// Takes "'group'" off a path. Quotes within a name are doubled.
@@ -223,17 +240,13 @@ class Walk {
     }
   }
 
-  /// Refuses a new rate or scale for later values, because all values are read with the last one.
-  void set_property(std::size_t object, const std::string& name, TdmsProperty value) {
-    const auto [place, is_new] = objects_[object].properties.try_emplace(name, value);
-    if (is_new || place->second == value) return;
-    const bool counts =
-        name == "wf_increment" || name.starts_with("NI_Scal") || name == "NI_Number_Of_Scales";
-    if (counts && has_had_values_) {
-      refuse_file(file_, fmt::format("changes its {} between its values; save each part as a file "
-                                     "of its own",
-                                     name));
-    }
+  void set_property(std::size_t index, const std::string& name, TdmsProperty value) {
+    TdmsObject& object = objects_[index];
+    const auto [place, is_new] = object.properties.try_emplace(name, value);
+    if (is_new || is_same(place->second, value)) return;
+    const bool has_had_values =
+        object.is_channel() ? with_values_.contains(index) : !with_values_.empty();
+    if (has_had_values && !is_missing_rate(name, place->second)) object.changed.insert(name);
     place->second = std::move(value);
   }
 
@@ -291,17 +304,19 @@ class Walk {
     // The numbers of a single object are rows, too, so that a crash loses none of them.
     const bool is_single = values_.size() == 1 && tdms_type(values_.front().type)->size > 0;
     segment.has_rows = is_single || lead_in.has(toc_interleaved);
-    // Whole rows are not enough: they would also fit other types and counts.
     const std::uint64_t declared = bytes_of_chunk();
-    const bool is_whole = declared > 0 && raw_bytes % declared == 0;
+    const std::uint64_t chunk_bytes =
+        segment.has_rows && !values_.empty() ? bytes_of_row(begin) : declared;
+    // LabVIEW may end a segment within a chunk. Without a whole chunk, whole rows are not enough:
+    // they would also fit other types and counts.
+    const bool is_whole = declared > 0 && raw_bytes >= declared && raw_bytes % chunk_bytes == 0;
     if (lead_in.is_finished && !is_whole) {
       refuse_segment(begin,
                      fmt::format("has {} bytes of values, not a whole number of chunks of {}",
                                  raw_bytes, declared));
     }
     if (declared == 0) return segment;
-    const std::uint64_t chunk_bytes = segment.has_rows ? bytes_of_row(begin) : declared;
-    has_had_values_ = true;
+    for (const TdmsValues& values : values_) with_values_.insert(values.object);
     segment.values = values_;
     segment.chunk_bytes = chunk_bytes;
     segment.chunks = raw_bytes / chunk_bytes;
@@ -335,7 +350,7 @@ class Walk {
   std::vector<Listed> list_;
   std::map<std::size_t, std::size_t> place_in_list_;  ///< place in list_ of each object
   std::vector<TdmsValues> values_;                    ///< layout of the current segment
-  bool has_had_values_ = false;
+  std::set<std::size_t> with_values_;                 ///< objects that have had values
 };
 
 }  // namespace

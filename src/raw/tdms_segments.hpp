@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -21,7 +22,8 @@ using TdmsProperties = std::map<std::string, TdmsProperty>;
 
 struct TdmsObject {
   std::vector<std::string> path;  ///< empty for the file; group; group and channel
-  TdmsProperties properties;
+  TdmsProperties properties;      ///< last value of each
+  std::set<std::string> changed;  ///< properties that changed after the first values
   [[nodiscard]] bool is_channel() const { return path.size() == 2; }
 };
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -274,7 +276,7 @@ TEST_F(Tdms, IsRefusedIfItsLayoutContradictsItsLength) {
   for (const std::uint32_t type : {tdms::int32, tdms::dbl, tdms::int64}) {
     expect_refused(single(type, 8), "1", why);
   }
-  for (const std::uint64_t count : {3, 9, 12, 16}) {
+  for (const std::uint64_t count : {9, 12, 16}) {
     expect_refused(single(tdms::int16, count), "1", why);
   }
   const auto rows = [&](std::uint32_t type, std::uint64_t count) {
@@ -286,6 +288,33 @@ TEST_F(Tdms, IsRefusedIfItsLayoutContradictsItsLength) {
   EXPECT_THAT(samples(rows(tdms::int16, 4), "2"), ElementsAre(2, 4, 6, 8));
   expect_refused(rows(tdms::int32, 4), "2", why);
   expect_refused(rows(tdms::int16, 5), "2", why);
+}
+
+/// LabVIEW's own files may end a segment within a chunk (npTDMS, issues 40 and 109).
+TEST_F(Tdms, MayEndASegmentWithinAChunkOfRows) {
+  const std::string path = "/'g'/'a'";
+  const auto index = [&](std::uint64_t count) { return write_.index(tdms::int16, count); };
+  const auto single = [&](std::uint64_t count, const std::string& values) {
+    return write_.segment(tdms::new_values, {write_.object(path, index(count))}, values);
+  };
+  const std::string values = write_.numbers(Shorts{1, 2, 3, 4, 5});
+  EXPECT_THAT(samples(single(2, values), "1"), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(samples(single(4, values) + single(1, values), "1"),
+              ElementsAre(1, 2, 3, 4, 5, 1, 2, 3, 4, 5));
+  const std::string why = "truncated or damaged: its segment at byte 0 has ";
+  expect_refused(single(6, values), "1", why + "10 bytes of values, not ");
+  expect_refused(single(2, values + "x"), "1", why + "11 bytes of values, not ");
+  const auto rows = [&](std::uint32_t layout, const std::string& raw) {
+    return write_.segment(tdms::new_values | layout,
+                          {write_.object(path, index(2)), write_.object("/'g'/'b'", index(2))},
+                          raw);
+  };
+  const std::string pairs = write_.numbers(Shorts{1, -1, 2, -2, 3, -3});
+  EXPECT_THAT(samples(rows(tdms::interleaved, pairs), "1"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(samples(rows(tdms::interleaved, pairs), "2"), ElementsAre(-1, -2, -3));
+  expect_refused(rows(tdms::interleaved, pairs + "12"), "1", why + "14 bytes of values, not ");
+  // Channels one after the other have no rows.
+  expect_refused(rows(0, pairs), "1", why + "12 bytes of values, not ");
 }
 
 /// Replaces a number of 4 bytes within a file.
@@ -344,7 +373,7 @@ TEST_F(Tdms, IsRefusedIfItsRateOrScaleChangesAmongItsValues) {
     const std::string first = segment(name, 0.25);
     EXPECT_EQ(samples(first + first, "1").size(), 4U);
     expect_refused(first + segment(name, 0.5), "1",
-                   std::string("changes its ") + name +
+                   std::string("channel g/a changes its ") + name +
                        " between its values; save each part as a file of its own");
   }
   // Other properties may change. A rate may also be corrected before the first values.
@@ -353,6 +382,61 @@ TEST_F(Tdms, IsRefusedIfItsRateOrScaleChangesAmongItsValues) {
       tdms::metadata | tdms::new_list,
       {write_.object(path, write_.no_values(), {write_.property("wf_increment", 1.0)})}, "");
   EXPECT_EQ(read_tdms(written(planned + segment("wf_increment", 0.25)), "1").sample_rate_hz, 4);
+}
+
+TEST_F(Tdms, MayChangeWhatDoesNotAffectTheChannel) {
+  const auto segment = [&](const std::vector<std::string>& of_file,
+                           const std::vector<std::string>& of_a,
+                           const std::vector<std::string>& of_b = {}) {
+    const std::string index = write_.index(tdms::dbl, 1);
+    return write_.segment(
+        tdms::new_values,
+        {write_.object("/", write_.no_values(), of_file), write_.object("/'g'/'a'", index, of_a),
+         write_.object("/'g'/'b'", index, of_b)},
+        write_.numbers(Doubles{1, 2}));
+  };
+  const auto rate = [&](double seconds) {
+    return std::vector{write_.property("wf_increment", seconds)};
+  };
+  const auto slope = [&](double value) {
+    return std::vector{write_.property("NI_Scale[0]_Linear_Slope", value)};
+  };
+  const auto status = [&](const std::string& value) {
+    return std::vector{write_.property("NI_Scaling_Status", value)};
+  };
+  const std::string why = " between its values; save each part as a file of its own";
+  // Other channels, and a rate of the file.
+  const std::string other = segment({}, rate(0.25), rate(1)) + segment({}, {}, rate(0.5));
+  EXPECT_EQ(samples(other, "g/a").size(), 2U);
+  expect_refused(other, "g/b", "channel g/b changes its wf_increment" + why);
+  EXPECT_EQ(samples(segment(rate(1), {}) + segment(rate(0.5), {}), "1").size(), 2U);
+  // Scales of the file count for each channel.
+  expect_refused(segment(slope(1), {}) + segment(slope(0.5), {}), "1",
+                 "channel g/a changes its NI_Scale[0]_Linear_Slope" + why);
+  // Rounding, but not the sum of small steps.
+  const std::string first = segment({}, rate(0.001));
+  EXPECT_EQ(samples(first + segment({}, rate(0.0010000000000000002)), "1").size(), 2U);
+  expect_refused(first + segment({}, rate(0.00100000001)), "1", "channel g/a changes its wf_");
+  expect_refused(
+      first + segment({}, rate(0.001 * (1 + 6e-10))) + segment({}, rate(0.001 * (1 + 12e-10))), "1",
+      "channel g/a changes its wf_");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(samples(segment({}, slope(nan)) + segment({}, slope(nan)), "1").size(), 2U);
+  for (const double one : {nan, infinite, -infinite}) {
+    expect_refused(segment({}, slope(1)) + segment({}, slope(one)), "1", "channel g/a changes its");
+  }
+  // A rate that is set later.
+  const std::string late = segment({}, rate(0)) + segment({}, rate(0.25));
+  EXPECT_EQ(read_tdms(written(late), "1").sample_rate_hz, 4);
+  expect_refused(late + segment({}, rate(0.5)), "1", "channel g/a changes its wf_increment" + why);
+  expect_refused(first + segment({}, rate(0)), "1", "channel g/a changes its wf_increment" + why);
+  // A scaling status without scales; with scales, it decides whether they apply.
+  EXPECT_EQ(samples(segment({}, status("unscaled")) + segment({}, status("scaled")), "1").size(),
+            2U);
+  const std::string scaled = segment(slope(2), status("unscaled"));
+  expect_refused(scaled + segment({}, status("scaled")), "1",
+                 "channel g/a changes its NI_Scaling_Status" + why);
 }
 
 TEST_F(Tdms, IsRefusedIfItHoldsRawDaqmxData) {
