@@ -21,8 +21,6 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 using Keys = std::map<std::string, double>;
 
-constexpr std::span geometry_keys = std::span(keys_of_bearings).first(4);
-constexpr std::span order_keys = std::span(keys_of_bearings).last(4);
 const Words header{"designation",
                    "balls",
                    "ball_diameter_mm",
@@ -140,8 +138,11 @@ std::string designations_of(const std::vector<Row>& rows) {
 /// Removes marks of seals, shields and clearance, which change no dimension: 6205-2Z/C3 and 6205ZZ
 /// are a 6205. Keeps a 2 next to digits, because 6202Z is a 6202.
 Words without_suffixes(const Words& words) {
-  constexpr std::array<std::string_view, 4> attached{"ZZ", "Z", "RS", "C3"};
-  constexpr std::array<std::string_view, 2> apart{"2Z", "2RS"};
+  constexpr std::array<std::string_view, 16> attached{"ZZ",  "RZ",  "Z",   "RS",  "RS1", "RSH",
+                                                      "RSL", "RSR", "LLU", "LLB", "DDU", "VV",
+                                                      "C2",  "C3",  "C4",  "CN"};
+  constexpr std::array<std::string_view, 7> apart{"2Z",   "2RS",  "2RS1", "2RSH",
+                                                  "2RSL", "2RSR", "2RZ"};
   Words found;
   for (const std::string& word : words) {
     std::string_view stem = std::ranges::count(apart, word) > 0 ? "" : word;
@@ -171,9 +172,9 @@ std::vector<Row> rows_called(const Words& written, const std::vector<Row>& rows)
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
     if (joined_words(words) == all) whole.push_back(row);
-    if (has_number(all) && holds_words(words, all)) part.push_back(row);
-    const bool is_alike = has_number(all_stems) && holds_words(without_suffixes(words), all_stems);
-    if (is_alike) stem.push_back(row);
+    if (!has_number(all_stems)) continue;  // 2RS1 has two digits, but is a seal
+    if (holds_words(words, all)) part.push_back(row);
+    if (holds_words(without_suffixes(words), all_stems)) stem.push_back(row);
   }
   if (!whole.empty()) return whole;
   return part.empty() ? stem : part;

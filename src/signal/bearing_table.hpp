@@ -3,14 +3,22 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 namespace piae::signal {
 
-/// Keys of [bearing] that a designation decides: dimensions, then orders.
-inline constexpr std::array<const char*, 8> keys_of_bearings{
-    "balls", "ball_diameter_mm", "pitch_diameter_mm", "contact_angle_deg", "bpfo", "bpfi", "bsf",
-    "ftf"};
+/// Keys of [bearing] for dimensions. A designation does not decide the last two.
+inline constexpr std::array dimension_keys{"balls",
+                                           "ball_diameter_mm",
+                                           "pitch_diameter_mm",
+                                           "contact_angle_deg",
+                                           "inner_raceway_mm",
+                                           "outer_raceway_mm"};
+inline constexpr std::span geometry_keys = std::span(dimension_keys).first<4>();
+
+/// Keys of [bearing] for fault frequencies at one turn per second.
+inline constexpr std::array order_keys{"bpfo", "bpfi", "bsf", "ftf"};
 
 /// Returns the keys of [bearing] that a table of bearings (pipeline/bearings.csv) has for a
 /// designation: the geometry, or the orders if the row has no geometry. Ignores case, blanks and

@@ -14,6 +14,7 @@
 #include "bearing/defect.hpp"
 #include "bearing/kinematics.hpp"
 #include "bearing/orders.hpp"
+#include "signal/bearing_table.hpp"
 #include "signal/described_conditions.hpp"
 #include "signal/described_split.hpp"
 #include "signal/description_file.hpp"
@@ -67,19 +68,9 @@ bearing::Geometry bearing_by_orders(TomlTable& table, double shaft_hz) {
   }
 }
 
-constexpr std::array order_keys_of_a_bearing{"bpfo", "bpfi", "bsf", "ftf"};
-
 bool is_by_orders(const TomlTable& bearing) {
-  return std::ranges::any_of(order_keys_of_a_bearing,
-                             [&](const char* key) { return bearing.has(key); });
+  return std::ranges::any_of(order_keys, [&](const char* key) { return bearing.has(key); });
 }
-
-constexpr std::array dimension_keys{"balls",
-                                    "ball_diameter_mm",
-                                    "pitch_diameter_mm",
-                                    "inner_raceway_mm",
-                                    "outer_raceway_mm",
-                                    "contact_angle_deg"};
 
 void require_no_dimensions(const TomlTable& bearing) {
   for (const char* const key : dimension_keys) {
@@ -90,7 +81,7 @@ void require_no_dimensions(const TomlTable& bearing) {
 
 bearing::Geometry described_bearing(TomlTable table, double shaft_hz) {
   std::vector<std::string> keys{"designation"};
-  keys.insert(keys.end(), order_keys_of_a_bearing.begin(), order_keys_of_a_bearing.end());
+  keys.insert(keys.end(), order_keys.begin(), order_keys.end());
   keys.insert(keys.end(), dimension_keys.begin(), dimension_keys.end());
   table.require_only(keys);
   if (is_by_orders(table)) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -53,9 +53,21 @@ std::optional<fs::path> model_of(const fs::path& file, const toml::table& descri
   return model;
 }
 
-/// True for a table of a bearing by its designation, which decides all dimensions.
-bool is_by_designation(std::string_view key, const toml::node& node) {
-  return key == "bearing" && node.is_table() && node.as_table()->contains("designation");
+/// Keys that decide the fault frequencies of a bearing.
+enum class BearingBy { nothing, designation, dimensions, orders };
+
+BearingBy decided_by(const toml::table& bearing) {
+  const auto is_there = [&](const char* key) { return bearing.contains(key); };
+  if (is_there("designation")) return BearingBy::designation;
+  if (std::ranges::any_of(order_keys, is_there)) return BearingBy::orders;
+  return std::ranges::any_of(geometry_keys, is_there) ? BearingBy::dimensions : BearingBy::nothing;
+}
+
+/// True if the description's own bearing takes nothing from its model's.
+bool replaces_bearing(const toml::table& own, const toml::table& model) {
+  const BearingBy by = decided_by(own);
+  if (by == BearingBy::designation) return true;
+  return by != BearingBy::nothing && by != decided_by(model);
 }
 
 /// Adds to `description` the keys of `model` that it lacks.
@@ -64,8 +76,10 @@ void complete(toml::table& description, toml::table& model) {
     toml::node* own = description.get(key);
     if (own == nullptr) {
       description.insert(key, std::move(node));
-    } else if (own->is_table() && node.is_table() && !is_by_designation(key.str(), *own)) {
-      complete(*own->as_table(), *node.as_table());
+    } else if (own->is_table() && node.is_table()) {
+      toml::table& part = *own->as_table();
+      const bool is_other = key.str() == "bearing" && replaces_bearing(part, *node.as_table());
+      if (!is_other) complete(part, *node.as_table());
     }
   }
 }
@@ -95,12 +109,15 @@ void complete_bearing(const fs::path& file, toml::table& description) {
   if (node == nullptr) return;
   const auto designation = node->value<std::string>();
   if (!designation) refuse_node(file, *node, "bearing.designation must be a text in quotes");
-  for (const char* const key : keys_of_bearings) {
-    const toml::node* const own = bearing->get(key);
-    if (own == nullptr) continue;
-    refuse_node(
-        file, *own,
-        fmt::format("bearing.{} is given, but designation decides it; remove one of the two", key));
+  for (const std::span keys : {geometry_keys, std::span(order_keys)}) {
+    for (const char* const key : keys) {
+      const toml::node* const own = bearing->get(key);
+      if (own == nullptr) continue;
+      refuse_node(
+          file, *own,
+          fmt::format("bearing.{} is given, but designation decides it; remove one of the two",
+                      key));
+    }
   }
   try {
     const fs::path table = (file.parent_path() / ".." / "bearings.csv").lexically_normal();

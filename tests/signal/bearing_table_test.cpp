@@ -50,14 +50,17 @@ TEST(BearingTable, GivesAGeometryBySomeOfTheWords) {
 TEST(BearingTable, IgnoresSealsAndClearance) {
   const Folder folder;
   const auto table = folder.write("bearings.csv", some_rows + "NSK 6203ZZ,8,6.77,28.5,0,,,,,one\n");
-  for (const char* suffix :
-       {"Z", "ZZ", "-2Z", " 2Z", "RS", "-RS", " 2RS", "/C3", " C3", "-ZZ/C3", "-2Z-C3", "ZZC3"}) {
+  for (const char* suffix : {"Z",     "ZZ",    "-2Z",    " 2Z",    "RS",     "-RS",   " 2RS",
+                             "/C3",   " C3",   "-ZZ/C3", "-2Z-C3", "ZZC3",   "-2RS1", "-2RSH/C3",
+                             "-2RSR", "-2RSL", "-2RZ",   "LLU",    "LLB/C4", " DDU",  "VV",
+                             "RZ",    "-RS1",  "RSH",    "/C2",    "C4",     "-CN",   "-LLU/CN"}) {
     EXPECT_EQ(bearing_called("NU2205" + std::string(suffix), table).at("balls"), 13) << suffix;
     EXPECT_EQ(bearing_called("fag nu2205" + std::string(suffix), table).at("balls"), 13) << suffix;
     EXPECT_EQ(bearing_called("6203" + std::string(suffix), table).at("balls"), 8) << suffix;
   }
   EXPECT_EQ(bearing_called("6203", table).at("pitch_diameter_mm"), 28.5);
-  for (const char* other : {"NU2205K", "NU2205 ECP", "NSK NU2205ZZ", "C3", "2Z", "ZZ"}) {
+  for (const char* other :
+       {"NU2205K", "NU2205 ECP", "NSK NU2205ZZ", "C3", "2Z", "ZZ", "2RS1", "2RS-C3"}) {
     EXPECT_ERROR(bearing_called(other, table), Exit::bad_input, "' has no row");
   }
 }

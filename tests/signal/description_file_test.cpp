@@ -87,10 +87,52 @@ TEST(DescriptionFile, ReplacesTheBearingOfItsModelByADesignation) {
   const toml::table description = read_description_file(file);
   EXPECT_EQ(description["bearing"]["balls"].value<int>(), 9);
   EXPECT_EQ(description["bearing"]["pitch_diameter_mm"].value<double>(), 39);
-  const auto other =
-      folder.write("datasets/c.toml", "name = \"c\"\nlike = \"b\"\n[bearing]\nballs = 8\n");
-  EXPECT_ERROR(read_description_file(other), Exit::bad_input,
-               other.string() + ", line 4: bearing.balls is given, but designation decides it");
+}
+
+TEST(DescriptionFile, ReplacesTheDesignationOfItsModel) {
+  const Folder folder;
+  folder.write("bearings.csv",
+               "designation,balls,ball_diameter_mm,pitch_diameter_mm,contact_angle_deg,bpfo,bpfi,"
+               "bsf,ftf,source\nSKF 6205,9,7.94,39,0,,,,,the paper\n");
+  folder.write("datasets/rig.toml", two_speeds);
+  folder.write("datasets/named.toml",
+               "name = \"named\"\nlike = \"rig\"\n[bearing]\ndesignation = \"SKF 6205\"\n"
+               "inner_raceway_mm = 31\n");
+  const auto file_with = [&](const std::string& bearing, const std::string& model) {
+    return folder.write("datasets/c.toml",
+                        "name = \"c\"\nlike = \"" + model + "\"\n[bearing]\n" + bearing);
+  };
+  const auto bearing = [&](const std::string& text, const std::string& model) {
+    return *read_description_file(file_with(text, model))["bearing"].as_table();
+  };
+  const std::string dimensions =
+      "balls = 8\nball_diameter_mm = 6\npitch_diameter_mm = 30\ncontact_angle_deg = 5\n";
+  const toml::table own = bearing(dimensions, "named");
+  EXPECT_EQ(own.size(), 4U);
+  EXPECT_EQ(own["balls"].value<int>(), 8);
+  EXPECT_EQ(own["pitch_diameter_mm"].value<double>(), 30);
+  // Orders replace a designation and dimensions.
+  for (const std::string model : {"named", "rig"}) {
+    const toml::table orders = bearing("bpfo = 3.5\nbpfi = 5.5\n", model);
+    EXPECT_EQ(orders.size(), 2U) << model;
+    EXPECT_EQ(orders["bpfi"].value<double>(), 5.5) << model;
+  }
+  // A raceway alone leaves the designation.
+  const toml::table raceway = bearing("inner_raceway_mm = 30\n", "named");
+  EXPECT_EQ(raceway["balls"].value<int>(), 9);
+  EXPECT_EQ(raceway["inner_raceway_mm"].value<double>(), 30);
+  // A dimension of the same kind still replaces only itself.
+  EXPECT_EQ(bearing("balls = 8\n", "rig").size(), 4U);
+  // Some dimensions are not enough without the designation.
+  const auto few = file_with("balls = 8\n", "named");
+  EXPECT_ERROR(read_description(few), Exit::bad_input, few.string());
+  // Within one file they contradict each other.
+  const auto both = file_with("designation = \"SKF 6205\"\n" + dimensions, "rig");
+  EXPECT_ERROR(read_description_file(both), Exit::bad_input,
+               both.string() + ", line 5: bearing.balls is given, but designation decides it");
+  const auto mixed = file_with("bpfo = 3.5\nbpfi = 5.5\nballs = 8\n", "named");
+  EXPECT_ERROR(read_description(mixed), Exit::bad_input,
+               mixed.string() + ", line 6: bearing.balls is given, but so is an order");
 }
 
 TEST(DescriptionFile, NamesTheFileOfAnError) {
