@@ -3,6 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,9 +40,21 @@ bool is_date_or_time(std::string_view text) {
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
 }
 
-/// True for "g", "m/s^2", "Sensor 1", "10 mV" and empty text. False for a damaged number, which has
-/// more digits than letters, or a decimal sign.
+/// True for words that stand in the place of a sample, such as OVL.
+bool is_missing_sample(std::string_view field) {
+  constexpr std::array words{"OVL",  "OVLD", "OVER",   "OVERLOAD", "OVERFLOW", "OVERRANGE",
+                             "OVF",  "OVR",  "OFL",    "OL",       "NA",       "N/A",
+                             "NULL", "#N/A", "#NAME?", "#NUM!"};
+  std::string upper(field);
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return std::ranges::count(words, upper) > 0;
+}
+
+/// True for "g", "m/s^2", "Sensor 1", "10 mV" and empty text. False for numbers such as NaN, for
+/// words such as OVL, and for a damaged number, which has more digits than letters, or a decimal
+/// sign.
 bool is_word_or_unit(std::string_view field) {
+  if (number_in_field(field) || is_missing_sample(field)) return false;
   const auto count = [&](auto is_counted) { return std::ranges::count_if(field, is_counted); };
   const auto digits = count([](char c) { return c >= '0' && c <= '9'; });
   const auto letters = count([](char c) { return holds_letters({&c, 1}); });
@@ -131,6 +145,7 @@ class Search {
     const bool by_number = column_.find_first_not_of("0123456789") == std::string::npos;
     std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
     if (!found) refuse_column();
+    found->has_name = is_named_above(*found);
     require_no_other_numbers_above(*found);
     found->times = times_in(*found);
     return *found;
@@ -150,21 +165,19 @@ class Search {
     return (found.size() == count || ends_with_separator) && number_in_field(found[column]);
   }
 
-  [[nodiscard]] bool is_named_above(const Line& line, char separator, std::size_t count,
-                                    std::size_t column) const {
+  [[nodiscard]] bool is_named_above(const CsvLayout& layout) const {
     return std::ranges::any_of(lines_, [&](const Line& above) {
-      if (above.number >= line.number) return false;
-      const auto found = fields(above, separator);
-      return found.size() == count && holds_letters(found[column]);
+      if (above.number >= layout.first_line) return false;
+      const auto found = fields(above, layout.separator);
+      return found.size() == layout.fields && holds_letters(found[layout.column]);
     });
   }
 
-  [[nodiscard]] CsvLayout layout_from(const Line& line, char separator, std::size_t count,
-                                      std::size_t column) const {
+  [[nodiscard]] static CsvLayout layout_from(const Line& line, char separator, std::size_t count,
+                                             std::size_t column) {
     return {.separator = separator,
             .fields = count,
             .column = column,
-            .has_name = is_named_above(line, separator, count, column),
             .first_line = line.number,
             .numbers = line.from_here};
   }
@@ -177,7 +190,8 @@ class Search {
     const std::string_view field = found.size() == count ? found[column] : line.text;
     const bool is_named_number = number_in_field(field) && holds_letters(line.text);
     const bool is_empty = field.empty() && holds_letters(line.text);
-    if (holds_letters(field) || is_named_number || is_empty || is_date_or_time(field)) return;
+    const bool is_word = holds_letters(field) && !is_missing_sample(field);
+    if (is_word || is_named_number || is_empty || is_date_or_time(field)) return;
     refuse_csv_line(file_, line.number,
                     "column " + column_ + " holds " + csv_field_in_quotes(field) +
                         ", neither a number nor a name" + std::string(remedy_for_thousands(field)));
@@ -306,13 +320,17 @@ class Search {
                        [](const Line& line) { return !line.is_comment; });
   }
 
+  /// Refuses text without numbers in all lines that may precede a table.
+  void require_numbers() const {
+    if (lines_.back().number < most_lines_before) return;
+    refuse_csv_line(file_, most_lines_before,
+                    "no numbers begin up to this line; remove the lines above the table");
+  }
+
   /// Takes the first line as a header if no line has numbers; the caller refuses the lines below
   /// it.
   std::optional<CsvLayout> header_alone(std::size_t column) {
-    if (lines_.back().number == most_lines_before) {
-      refuse_csv_line(file_, most_lines_before,
-                      "no numbers begin up to this line; remove the lines above the table");
-    }
+    require_numbers();
     const auto first = std::ranges::find(lines_, false, &Line::is_comment);
     if (first == lines_.end()) return CsvLayout{};
     const char separator = separator_of(first->text);
@@ -322,13 +340,17 @@ class Search {
     return after(static_cast<std::size_t>(first - lines_.begin()), separator, count, column);
   }
 
-  /// Starts below a header and its lines of words, such as units and channels.
+  /// Starts below a header and its lines of words, such as units and channels. Skips five such
+  /// lines at most, and only the first without a word for the column, because more may be samples
+  /// that are missing.
   [[nodiscard]] CsvLayout after(std::size_t header, char separator, std::size_t count,
                                 std::size_t column) const {
-    std::size_t next = next_line(header);
-    const std::size_t first = next;
-    while (next < lines_.size() && is_line_of_words(lines_[next], separator, count) &&
-           (next == first || holds_letters(lines_[next].text))) {
+    constexpr std::size_t most_lines_of_words = 5;
+    const std::size_t first = next_line(header);
+    std::size_t next = first;
+    for (std::size_t i = 0; i < most_lines_of_words && next < lines_.size(); ++i) {
+      if (!is_line_of_words(lines_[next], separator, count)) break;
+      if (next != first && !holds_letters(fields(lines_[next], separator)[column])) break;
       next = next_line(next);
     }
     const bool has_numbers =
@@ -378,6 +400,7 @@ class Search {
     }
     if (!without_numbers) return std::nullopt;
     require_as_many_fields(without_numbers->first, without_numbers->second.fields);
+    require_numbers();
     return without_numbers->second;
   }
 

@@ -94,6 +94,46 @@ TEST_F(InstrumentText, MayHaveSeveralLinesOfWordsBelowTheNames) {
   }
 }
 
+TEST_F(InstrumentText, MayStartWithMissingSamplesBelowTheNames) {
+  for (const char* row : {"NaN,NaN\n", "nan,-nan(ind)\n", "nan,-inf\n", "Inf,+Inf\n"}) {
+    std::string text = "t,x\n";
+    for (int i = 0; i < 190; ++i) text += row;
+    for (int i = 0; i < 20; ++i) text += "0.1,-0.5\n0.2,1.25\n";
+    const auto file = folder_.write("a.txt", text);
+    for (const char* column : {"1", "t", "2", "x"}) {
+      EXPECT_EQ(read_here(file, column).size(), 230U) << row << column;
+    }
+  }
+}
+
+TEST_F(InstrumentText, IsRefusedWithWordsInThePlaceOfItsFirstSamples) {
+  const std::string table = "0,-0.5\n1,1.25\n2,2\n";
+  for (const std::string word : {"OVL", "Over", "overload", "OL", "N/A", "NA"}) {
+    for (const int count : {1, 3, 9}) {
+      std::string rows = "t,x\n";
+      for (int i = 0; i < count; ++i) rows.append(word).append(",").append(word).append("\n");
+      expect_refused(rows + table, "x", ", line 2: column x holds '" + word + "', not a number");
+      expect_refused(rows + table, "2",
+                     ", line 2: column 2 holds '" + word + "', neither a number");
+    }
+  }
+  // Units and channels have a few lines.
+  std::string words = "t,x\n";
+  for (int i = 0; i < 5; ++i) words += "s,g\n";
+  expect_read(words + table, "x");
+  expect_refused(words + "s,g\n" + table, "x", ", line 2: column x holds 'g', not a number");
+  expect_refused("t,x\nn1,-\nn2,-\n" + table, "x", ", line 2: column x holds '-', not a number");
+}
+
+TEST_F(InstrumentText, IsRefusedWithWordsOnly) {
+  std::string text;
+  for (int i = 0; i < 10'000; ++i) text += "a,b\n";
+  for (const char* column : {"a", "1"}) {
+    expect_refused(text, column, ", line 10000: no numbers begin up to this line");
+  }
+  expect_refused("a,b\na,b\n", "a", ", line 2: column a holds 'a', not a number");
+}
+
 TEST_F(InstrumentText, MayHaveManyLinesAboveTheTable) {
   const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
   for (const char* note : {"# Note 12: set up\n", "Note 12: set up\n", "Rate,12000\n", "\n"}) {
