@@ -93,7 +93,11 @@ constexpr std::size_t largest_row = 100;
 
 Signal read_table(const fs::path& file, const std::string& column) {
   const std::string text = read_text(file);
-  const CsvLayout layout = csv_layout(file, text, column);
+  const std::string plain = with_blanks_for_control(text);
+  const CsvLayout layout = csv_layout(file, plain.empty() ? text : plain, column);
+  if (!plain.empty()) {
+    require_no_control_characters(file, text, text.size() - layout.numbers.size());
+  }
   std::string_view rest = layout.numbers;
   std::vector<double> numbers;
   std::vector<double> times;

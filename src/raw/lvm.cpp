@@ -27,7 +27,7 @@ constexpr std::string_view end_of_header = "***End_of_Header***";
 class LvmReader {
  public:
   LvmReader(const fs::path& file, std::string_view text)
-      : file_(file), rest_(text), ends_with_line_end_(text.ends_with('\n')) {}
+      : file_(file), text_(text), rest_(text), ends_with_line_end_(text.ends_with('\n')) {}
 
   Signal run(const std::string& wanted) {
     read_header();  // header of the file
@@ -37,6 +37,7 @@ class LvmReader {
     has_one_heading_ = entry("Multi_Headings", 1) != "Yes";
     read_header();  // header of the segment
     names_ = fields(take());
+    require_no_control_characters(file_, text_, text_.size() - rest_.size());
     if (names_.front() != "X_Value") refuse_line("does not name the channels");
     const auto channels = number_in<std::size_t>(entry("Channels", 1)).value_or(0);
     if (channels == 0 || column(channels - 1) >= names_.size()) {
@@ -206,6 +207,7 @@ class LvmReader {
   }
 
   const fs::path& file_;
+  std::string_view text_;
   std::string_view rest_;
   bool ends_with_line_end_;
   std::size_t line_ = 0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "artefact/file.hpp"
+#include "raw/csv_fields.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
 
@@ -88,17 +89,46 @@ void mend_line_ends(std::string& text) {
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
 }
 
-/// Refuses control characters other than blanks and line ends. A crash may leave nulls in the
-/// middle of a file, where two halves of different lines would become one.
-void require_no_control_characters(const std::filesystem::path& file, std::string_view text) {
-  const auto* const found = std::ranges::find_if(
-      text, [](char c) { return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f'; });
-  if (found == text.end()) return;
-  const auto line = 1 + std::count(text.begin(), found, '\n');
+bool is_control(char c) { return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f'; }
+
+/// Returns the place of the first control character from `begin` on; npos if there is none.
+std::size_t find_control(std::string_view text, std::size_t begin) {
+  const auto* const found = std::find_if(text.begin() + begin, text.end(), is_control);
+  return found == text.end() ? std::string_view::npos
+                             : static_cast<std::size_t>(found - text.begin());
+}
+
+[[noreturn]] void refuse_control(const std::filesystem::path& file, std::string_view text,
+                                 std::size_t at) {
+  const auto line = 1 + std::ranges::count(text.substr(0, at), '\n');
   refuse_file(fmt::format("{}, line {}", file.string(), line),
               fmt::format("holds the control character {:#04x}, as after a crash, so lines may be "
-                          "missing; get the file again",
-                          static_cast<int>(*found)));
+                          "missing; remove the characters, or get the file again",
+                          static_cast<int>(text[at])));
+}
+
+/// True if a line with control characters is text that ends with a word, as in a header with fields
+/// of a fixed length. Rows end with a number, also if a hole precedes it. A crash leaves whole
+/// blocks of a disk, which are longer than fields.
+bool is_header_with_control(std::string_view line) {
+  constexpr std::size_t longest_padding = 255;
+  const auto* const last = std::find_if(line.rbegin(), line.rend(), is_control).base();
+  const std::string_view behind(last, static_cast<std::size_t>(line.end() - last));
+  std::string_view end = trimmed(behind, " \t\r,;|\"");
+  end.remove_prefix(end.find_last_of(" \t,;|") + 1);  // npos + 1 is 0
+  return holds_letters(line) && !number_in_field(end) &&
+         std::ranges::count_if(line, is_control) <= static_cast<long>(longest_padding);
+}
+
+/// Refuses control characters in lines that cannot be a header.
+void require_control_in_header(const std::filesystem::path& file, std::string_view text) {
+  std::size_t at = find_control(text, 0);
+  while (at != std::string_view::npos) {
+    const std::size_t begin = at == 0 ? 0 : text.find_last_of('\n', at) + 1;  // npos + 1 is 0
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (!is_header_with_control(text.substr(begin, end - begin))) refuse_control(file, text, at);
+    at = find_control(text, end);
+  }
 }
 
 /// True if nearly every other byte is 0, as for numbers and Latin letters in UTF-16. A few other
@@ -148,8 +178,21 @@ std::string read_text(const std::filesystem::path& file) {
   require_text(file, text);
   mend_line_ends(text);
   drop_empty_end(text);
-  require_no_control_characters(file, text);
+  require_control_in_header(file, text);
   return text;
+}
+
+void require_no_control_characters(const std::filesystem::path& file, std::string_view text,
+                                   std::size_t begin) {
+  const std::size_t at = find_control(text, begin);
+  if (at != std::string_view::npos) refuse_control(file, text, at);
+}
+
+std::string with_blanks_for_control(std::string_view text) {
+  if (find_control(text, 0) == std::string_view::npos) return {};
+  std::string plain(text);
+  std::ranges::replace_if(plain, is_control, ' ');
+  return plain;
 }
 
 }  // namespace piae::raw

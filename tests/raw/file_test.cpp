@@ -190,6 +190,36 @@ TEST(Csv, IsRefusedWithAHole) {
   }
 }
 
+/// Loggers pad fields of a fixed length with nulls, or write escape sequences of terminals.
+TEST(Csv, MayHaveControlCharactersAboveItsTable) {
+  const Folder folder;
+  const std::string title = std::string(80, 'x') + "\n";
+  const std::string nulls(20, '\0');
+  for (const std::string& line : {"Operator: Bob" + nulls, "Bob" + nulls + "Lab" + nulls,
+                                  std::string("Note: \x1b[1mbold\x1b[0m")}) {
+    for (const char* column : {"acc", "2"}) {
+      const auto file = folder.write("a.csv", title + line + "\n" + timed_table("\n"));
+      EXPECT_EQ(read_csv(file, column).size(), 200U) << line;
+    }
+  }
+  // A hole that begins in the header, and ends within a row or is a block of a disk.
+  for (const std::string& line : {"Operator: Bob" + nulls + "00,0.25",
+                                  "Operator: Bob" + std::string(512, '\0'), nulls, nulls + "0.5"}) {
+    for (const char* column : {"acc", "2"}) {
+      const auto file = folder.write("a.csv", title + line + "\n" + timed_table("\n"));
+      EXPECT_ERROR((void)read_csv(file, column), Exit::bad_input,
+                   "a.csv, line 2: holds the control character 0x00, as after a crash, so lines "
+                   "may be missing; remove the characters, or get the file again");
+    }
+  }
+  // A word at the end of a row.
+  std::string rows = "t,acc,state\n";
+  for (int i = 0; i < 20; ++i) rows += "0.1,0.5,good\n";
+  rows.replace(rows.find("good\n", 100), 20, 20, '\0');
+  EXPECT_ERROR((void)read_csv(folder.write("a.csv", rows), "acc"), Exit::bad_input,
+               "holds the control character 0x00");
+}
+
 TEST(Csv, IsRefusedIfATimeIsNotANumber) {
   const Folder folder;
   std::string text = timed_table("\n");
