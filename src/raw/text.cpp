@@ -84,9 +84,12 @@ void drop_empty_end(std::string& text) {
   if (has_line_end) text.push_back('\n');
 }
 
-/// Converts line ends of the old Macintosh, which are CR alone.
+/// Converts line ends of the old Macintosh, which are CR alone. Editors may add an LF at the end.
 void mend_line_ends(std::string& text) {
-  if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+  const std::string_view empty_end(" \t\r\n\0\x1a", 6);
+  const std::size_t first = std::min(text.find('\n'), text.size());
+  if (text.find_first_not_of(empty_end, first) != std::string::npos) return;
+  std::ranges::replace(text, '\r', '\n');
 }
 
 bool is_control(char c) { return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7f'; }

@@ -47,7 +47,8 @@ TEST_F(InstrumentText, MayEndWithNullsCtrlZOrBlankLines) {
 
 TEST_F(InstrumentText, MayEndItsLinesInAnyWay) {
   for (const std::string end : {"\n", "\r\n", "\r\r\n", "\r"}) {
-    expect_read("t,x" + end + "0,-0.5" + end + "1,1.25" + end + "2,2" + end, "x");
+    const std::string text = "t,x" + end + "0,-0.5" + end + "1,1.25" + end + "2,2" + end;
+    for (const char* last : {"", "\n", "\r\n", "\r\n \x1a"}) expect_read(text + last, "x");
   }
 }
 
