@@ -8,6 +8,12 @@ namespace piae::raw {
 
 namespace {
 
+/// True for a damaged time. Times of day, thousands and dashes, for missing times, are not damaged.
+bool is_damaged_time(std::string_view field) {
+  return !number_in_field(field) && !is_date_or_time(field) &&
+         remedy_for_thousands(field).empty() && field.find_first_not_of('-') != field.npos;
+}
+
 bool is_word(std::string_view field) { return holds_letters(field) && !number_in_field(field); }
 
 }  // namespace
@@ -34,7 +40,7 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
   decimals_.add(line, row.requested_field);
   may_be_cut_ = row.requested_field.end() == all.end() && !layout_.numbers.ends_with('\n');
   if (layout_.times.is_named && !row.time.empty()) {
-    times_.add(!number_in_field(row.time), line, row.time);
+    times_.add(is_damaged_time(row.time), line, row.time);
   }
   if (layout_.column != 0) words_.add(is_word(row.first), line, row.first);
 }

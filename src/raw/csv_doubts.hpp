@@ -59,7 +59,7 @@ class CsvDoubts {
   Others words_;  ///< lines that start with a word
   Decimals decimals_;
   bool may_be_cut_ = false;  ///< true if the column's last number ends the text, without a line end
-  Others times_;             ///< lines whose time is not a number
+  Others times_;             ///< lines whose time is damaged
 };
 
 }  // namespace piae::raw

@@ -37,6 +37,18 @@ std::optional<double> number_in_field(std::string_view field) {
   return number_in<double>({point.data(), field.size()});
 }
 
+/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
+bool is_date_or_time(std::string_view text) {
+  const auto count = [&](std::string_view signs) {
+    return std::ranges::count_if(text,
+                                 [&](char c) { return signs.find(c) != std::string_view::npos; });
+  };
+  const auto digits = count("0123456789");
+  const auto others = count(".:/- ");
+  return digits >= 5 && digits + others == static_cast<std::ptrdiff_t>(text.size()) &&
+         (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
+}
+
 void Decimals::add(std::size_t line, std::string_view number) {
   last_ = {line, number};
   ++by_size_.at(std::min(number.size(), by_size_.size() - 1));

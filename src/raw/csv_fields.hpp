@@ -70,6 +70,9 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// commas separate the fields. A plus may precede it. Returns nothing for any other text.
 std::optional<double> number_in_field(std::string_view field);
 
+/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
+bool is_date_or_time(std::string_view text);
+
 /// Returns what to do about a number with separators of thousands, such as 1.640,337; empty for
 /// other texts.
 inline std::string_view remedy_for_thousands(std::string_view field) {

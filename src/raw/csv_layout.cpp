@@ -29,17 +29,6 @@ constexpr std::size_t most_lines_of_numbers = 200;
 /// Stands for the separator of a single column.
 constexpr char no_separator = ';';
 
-/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
-bool is_date_or_time(std::string_view text) {
-  const auto count = [&](std::string_view signs) {
-    return std::ranges::count_if(text, [&](char c) { return signs.find(c) != signs.npos; });
-  };
-  const auto digits = count("0123456789");
-  const auto others = count(".:/- ");
-  return digits >= 5 && digits + others == static_cast<std::ptrdiff_t>(text.size()) &&
-         (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
-}
-
 /// True for words that stand in the place of a sample, such as OVL.
 bool is_missing_sample(std::string_view field) {
   constexpr std::array words{"OVL",  "OVLD", "OVER",   "OVERLOAD", "OVERFLOW", "OVERRANGE",

@@ -232,6 +232,16 @@ TEST(Csv, IsRefusedIfATimeIsNotANumber) {
   EXPECT_EQ(read().size(), 200U);
   text = "t,acc\n59.9,1\n1:00.0,2\n1:00.1,3\n";
   EXPECT_THAT(read(), ElementsAre(1, 2, 3));
+  // Times of another form in a few lines are left out.
+  for (const char* other : {"1:00.00", "12:00:00", "2024-02-24 10:00:00", "-", "--"}) {
+    text = timed_table("\n");
+    text.replace(text.find("0.100000,"), 8, other);
+    EXPECT_EQ(read().size(), 200U) << other;
+  }
+  text = "time;acc\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(990 + i) + ".5;1\n";
+  text.replace(text.find("1000.5"), 1, "1,");
+  EXPECT_EQ(read().size(), 20U);
 }
 
 // Storing lines or fields one by one would take many times the file's size.
