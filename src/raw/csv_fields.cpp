@@ -57,10 +57,15 @@ void Decimals::add(std::size_t line, std::string_view number) {
   if (sign != std::string_view::npos) {
     if (alike_ == 0) length_ = last_length_;
     ++(last_length_ == length_ ? alike_ : others_);
+    const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+    has_zero_end_ = has_zero_end_ || (exponent > sign + 1 && number[exponent - 1] == '0');
     return;
   }
   const std::string_view digits = trimmed(number, "+-");
-  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return;  // NaN, 1e5
+  if (digits.find_first_not_of("0123456789") != std::string_view::npos) {  // NaN, 1e5
+    last_length_ = length_;
+    return;
+  }
   if (digits.find_first_not_of('0') == std::string_view::npos) {
     ++zeros_;
   } else if (wholes_++ == 0) {
@@ -69,7 +74,7 @@ void Decimals::add(std::size_t line, std::string_view number) {
 }
 
 std::optional<Decimals::Number> Decimals::whole_number() const {
-  const bool is_fixed = length_ >= 2 && others_ == 0;
+  const bool is_fixed = length_ >= 2 && others_ == 0 && has_zero_end_;
   const bool are_rare = wholes_ > 0 && alike_ >= enough * wholes_;
   return is_fixed && are_rare ? std::optional(first_whole_) : std::nullopt;
 }

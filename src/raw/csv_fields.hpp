@@ -113,7 +113,8 @@ class Decimals {
 
   void add(std::size_t line, std::string_view number);
   /// Returns the first whole number if such numbers are rare and all others have the same two or
-  /// more decimals. Ignores 0, which MATLAB prints without decimals.
+  /// more decimals, some with a 0 at the end, which shows that zeros are not dropped. Ignores 0,
+  /// which MATLAB prints without decimals.
   [[nodiscard]] std::optional<Number> whole_number() const;
   /// Returns the last number if it alone has fewer decimals, or digits of the exponent, than all
   /// others.
@@ -127,8 +128,9 @@ class Decimals {
 
   std::size_t length_ = 0;  ///< usual number of characters after the decimal sign
   std::size_t alike_ = 0;
-  std::size_t others_ = 0;  ///< numbers with another length
-  std::size_t wholes_ = 0;  ///< numbers without a decimal sign, but 0
+  std::size_t others_ = 0;     ///< numbers with another length
+  bool has_zero_end_ = false;  ///< true if the decimals of a number end with 0
+  std::size_t wholes_ = 0;     ///< numbers without a decimal sign, but 0
   std::size_t zeros_ = 0;
   Number first_whole_;
   Number last_;

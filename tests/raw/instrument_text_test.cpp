@@ -221,6 +221,12 @@ TEST_F(InstrumentText, MayHaveWholeNumbersAmongOtherForms) {
   EXPECT_EQ(count(many_samples("", "%.6g") + "3\n" + many_samples("", "%.6g")), 601U);
   EXPECT_EQ(count(many_samples("", "%.1f") + "3\n" + many_samples("", "%.1f")), 601U);
   EXPECT_EQ(count(many_samples() + "2.5\n3\n" + many_samples()), 602U);
+  // Two levels: zeros at the end may have been dropped.
+  std::string levels;
+  for (int i = 0; i < 300; ++i) levels += i % 2 == 0 ? "0.02\n" : "-0.25\n";
+  EXPECT_EQ(count(levels + "5\n" + levels), 601U);
+  EXPECT_EQ(count(levels + "5\n" + levels + "NaN"), 602U);
+  expect_refused(levels + "0.50\n5\n", "1", "line 302: column 1 holds '5', a whole number");
   // MATLAB prints an exact zero as 0. Overflows and missing values have no decimals.
   EXPECT_EQ(count(many_samples() + "0\n-0\nNaN\nInf\n" + many_samples()), 604U);
   // Too many, or too few other samples.
