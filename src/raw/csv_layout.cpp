@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 /// Largest number of lines before the numbers.
 constexpr std::size_t most_lines_before = 10'000;
-/// Number of lines from the first numbers on that show the layout.
+/// Number of successive rows of numbers that show the layout.
 constexpr std::size_t most_lines_of_numbers = 200;
 
 /// Stands for the separator of a single column.
@@ -107,8 +107,9 @@ bool is_row_of_numbers(std::string_view line) {
 /// Returns the first lines that are not blank.
 std::vector<Line> lines_at_beginning(std::string_view text) {
   std::vector<Line> lines;
-  std::size_t last = most_lines_before;
-  for (std::size_t number = 1; number <= last && !text.empty(); ++number) {
+  std::size_t rows = 0;  // successive rows of numbers
+  for (std::size_t number = 1;
+       number <= most_lines_before && rows <= most_lines_of_numbers && !text.empty(); ++number) {
     Line line{.number = number, .is_comment = false, .text = {}, .from_here = text};
     line.text = take_line(text);
     if (trimmed(line.text, blanks).empty()) continue;
@@ -116,9 +117,8 @@ std::vector<Line> lines_at_beginning(std::string_view text) {
     if (line.is_comment) {
       const std::size_t words = line.text.find_first_not_of("#% \t");
       line.text.remove_prefix(std::min(words, line.text.size()));
-    } else if (last == most_lines_before && is_row_of_numbers(line.text)) {
-      last = std::min(last, number + most_lines_of_numbers);
     }
+    rows = !line.is_comment && is_row_of_numbers(line.text) ? rows + 1 : 0;
     lines.push_back(line);
   }
   return lines;

@@ -143,6 +143,10 @@ TEST_F(InstrumentText, MayHaveManyLinesAboveTheTable) {
     expect_read(notes + rows, "2");
     expect_read(notes + "t,x\n" + rows, "x");
   }
+  // Rows of numbers may stand among the lines.
+  std::string many_notes = "Serial,Model\n123,456\n";
+  for (int i = 0; i < 300; ++i) many_notes += "Note: set up\n";
+  expect_read("Info\n5000\n" + many_notes + "t,x\n" + rows, "x");
   std::string text;
   for (int i = 0; i < 10'000; ++i) text += "# Note 12: set up\n";
   expect_refused(
