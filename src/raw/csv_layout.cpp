@@ -261,7 +261,7 @@ class Search {
   /// Refuses numbers above the samples whose format differs from all samples. Instruments and
   /// programs write such numbers first: the rate, a sensitivity or a column number. Accepts rising
   /// columns, because the first time may be a plain 0, and zeros below a name, because many
-  /// programs write 0 without decimals.
+  /// programs write 0 without decimals, also between samples.
   void require_no_other_numbers_above(const CsvLayout& found) const {
     constexpr std::size_t most = 10;    // largest number of such numbers
     constexpr std::size_t enough = 10;  // fewest samples that show their format
@@ -286,17 +286,20 @@ class Search {
     for (const auto& [above, counts] :
          {std::pair(alike, last.has_decimals), std::pair(broken, are_whole)}) {
       if (!counts || above == 0 || above > most || column.size() < above + enough) continue;
-      if (found.has_name && are_zeros(std::span(column).first(above))) continue;
+      const bool is_sample_first = form_of(column.front()) == last;
+      const auto is_zero_or_sample = [&](std::string_view number) {
+        return number == "0" || number == "-0" || form_of(number) == last;
+      };
+      if ((found.has_name || is_sample_first) &&
+          std::ranges::all_of(std::span(column).first(above), is_zero_or_sample)) {
+        continue;
+      }
       refuse_csv_line(file_, found.first_line,
                       "column " + column_ + " holds " + csv_field_in_quotes(column.front()) +
                           ", in another format than the numbers below, such as " +
                           csv_field_in_quotes(column.back()) +
                           "; it seems not to be a sample: remove the lines above the table");
     }
-  }
-
-  static bool are_zeros(std::span<const std::string_view> numbers) {
-    return std::ranges::all_of(numbers, [](auto text) { return text == "0" || text == "-0"; });
   }
 
   static bool rises(const std::vector<std::string_view>& column) {

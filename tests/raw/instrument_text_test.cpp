@@ -278,6 +278,12 @@ TEST_F(InstrumentText, MayStartWithZerosBelowItsName) {
       EXPECT_EQ(read_here(folder_.write("a.txt", "acc [g]\n" + text), "1").size(), lines + 20);
     }
   }
+  // Between samples, too.
+  for (const auto& [first, form] : {std::pair("0.5000", "%.4f"), std::pair("5.0000e-01", "%.4e")}) {
+    const std::string text = first + std::string("\n0\n") + samples("", form);
+    EXPECT_EQ(read_here(folder_.write("a.txt", "acc\n" + text), "acc").size(), 22U);
+    EXPECT_EQ(read_here(folder_.write("a.txt", text), "1").size(), 22U);
+  }
   const std::string why = ", in another format than the numbers below, such as '";
   expect_refused("acc\n0\n12000\n" + samples(), "acc", "line 2: column acc holds '0'" + why);
   expect_refused("t,0\n0,0\n" + samples("0,"), "2", "line 2: column 2 holds '0'" + why);
