@@ -259,7 +259,8 @@ std::unique_ptr<Method> make_method(const std::string& name) {
   if (entry != nullptr && entry->make != nullptr) return entry->make();
   const std::string known = fmt::format("{}", fmt::join(method_names(), ", "));
   if (name == no_method) {
-    throw Error(Exit::usage, "--method: none generates no window, so there is nothing to train");
+    throw Error(Exit::usage,
+                "--method: none generates no window and is not trained; known: " + known);
   }
   throw Error(Exit::usage, name.empty()
                                ? "--method is missing; known: " + known
