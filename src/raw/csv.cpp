@@ -116,8 +116,7 @@ Signal read_table(const fs::path& file, const std::string& column) {
     if (!number) {
       // A single word in a single column may be a garbled number, unless it is the column's name.
       if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
-      const bool may_be_header =
-          line == layout.first_line && column.find_first_not_of("0123456789") != column.npos;
+      const bool may_be_header = line == layout.first_line && !is_column_number(column);
       const std::string_view remedy = remedy_for_thousands(field);
       if (may_be_header && remedy.empty()) {
         refuse(", not a number; if this line belongs to the header, name the column by its number");

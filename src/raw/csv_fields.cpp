@@ -37,7 +37,6 @@ std::optional<double> number_in_field(std::string_view field) {
   return number_in<double>({point.data(), field.size()});
 }
 
-/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
 bool is_date_or_time(std::string_view text) {
   const auto count = [&](std::string_view signs) {
     return std::ranges::count_if(text,

@@ -70,6 +70,11 @@ inline std::string_view take_field(std::optional<std::string_view>& line, char s
 /// commas separate the fields. A plus may precede it. Returns nothing for any other text.
 std::optional<double> number_in_field(std::string_view field);
 
+/// True if a column is named by its number.
+inline bool is_column_number(std::string_view column) {
+  return column.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
 bool is_date_or_time(std::string_view text);
 

@@ -93,15 +93,19 @@ struct Line {
   std::string_view from_here;  ///< text from this line to the end
 };
 
-/// True if a line holds numbers only.
-bool is_row_of_numbers(std::string_view line) {
-  const char separator = separator_of(line);
+/// Counts the numbers of a line that holds nothing else; returns 0 for any other line, also for a
+/// comment. A separator may end the line.
+std::size_t count_numbers(const Line& line) {
+  if (line.is_comment) return 0;
+  const char separator = separator_of(line.text);
   std::size_t numbers = 0;
-  for (std::optional rest = line; rest; ++numbers) {
+  for (std::optional rest = line.text; rest;) {
     const std::string_view field = take_field(rest, separator);
-    if (!number_in_field(field) && (rest || !field.empty())) return false;
+    if (!rest && field.empty() && numbers > 0) break;
+    if (!number_in_field(field)) return 0;
+    ++numbers;
   }
-  return true;
+  return numbers;
 }
 
 /// Returns the first lines that are not blank.
@@ -118,7 +122,7 @@ std::vector<Line> lines_at_beginning(std::string_view text) {
       const std::size_t words = line.text.find_first_not_of("#% \t");
       line.text.remove_prefix(std::min(words, line.text.size()));
     }
-    rows = !line.is_comment && is_row_of_numbers(line.text) ? rows + 1 : 0;
+    rows = count_numbers(line) > 0 ? rows + 1 : 0;
     lines.push_back(line);
   }
   return lines;
@@ -131,8 +135,7 @@ class Search {
 
   CsvLayout run() {
     if (lines_.empty()) return {};
-    const bool by_number = column_.find_first_not_of("0123456789") == std::string::npos;
-    std::optional<CsvLayout> found = by_number ? find_by_number() : find_by_name();
+    std::optional<CsvLayout> found = is_column_number(column_) ? find_by_number() : find_by_name();
     if (!found) refuse_column();
     found->has_name = is_named_above(*found);
     require_no_other_numbers_above(*found);
@@ -400,7 +403,7 @@ class Search {
   /// cannot be assigned to columns.
   void require_as_many_fields(std::size_t header, std::size_t names) const {
     for (std::size_t i = header + 1; i < lines_.size(); ++i) {
-      const std::size_t count = numbers_in(lines_[i]);
+      const std::size_t count = count_numbers(lines_[i]);
       if (count == 0) continue;
       if (count == names) return;
       refuse_csv_line(
@@ -409,17 +412,6 @@ class Search {
                       "column by its number, 1 to {}",
                       names, names == 1 ? "" : "s", count, count == 1 ? "" : "s", count));
     }
-  }
-
-  /// Counts the numbers of a line that holds nothing else; returns 0 for any other line.
-  [[nodiscard]] std::size_t numbers_in(const Line& line) const {
-    if (line.is_comment) return 0;
-    const char separator = separator_of(line.text);
-    auto found = fields(line, separator);
-    if (found.size() > 1 && found.back().empty()) found.pop_back();
-    const bool is_row = std::ranges::all_of(
-        found, [&](std::string_view field) { return number_in_field(field).has_value(); });
-    return is_row ? found.size() : 0;
   }
 
   [[nodiscard]] CsvLayout below(std::size_t header, char separator, std::size_t count,
@@ -443,17 +435,17 @@ class Search {
     const Line* header = &lines_.front();
     std::size_t count = 0;
     for (const Line& line : lines_) {
-      count = numbers_in(line);
+      count = count_numbers(line);
       if (count > 0) break;
       header = &line;
     }
     const auto names = fields(*header, separator_of(header->text));
     if (count == 0) count = names.size();
-    if (column_.find_first_not_of("0123456789") == std::string::npos) {
+    if (is_column_number(column_)) {
       refuse_csv_line(file_, header->number,
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
     }
-    if (header == &lines_.front() && numbers_in(*header) > 0) {
+    if (header == &lines_.front() && count_numbers(*header) > 0) {
       refuse_csv_line(file_, header->number,
                       fmt::format("has no column {}, because there is no header; name the column "
                                   "by its number, 1 to {}",
