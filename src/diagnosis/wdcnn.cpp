@@ -63,7 +63,7 @@ TrainedWdcnn train_wdcnn(LabelledWindows train, const WdcnnOptions& options, con
 
 Outputs predict_by_wdcnn(Wdcnn& network, std::size_t length, const LabelledWindows& windows) {
   if (windows.size() == 0) {
-    throw Error(Exit::bad_input, "WDCNN: there are no test windows; give 1 or more");
+    throw Error(Exit::bad_input, "WDCNN: test windows are missing; give 1 or more");
   }
   if (windows.length != length) {
     throw Error(Exit::bad_input, "WDCNN: training windows of " + std::to_string(length) +

@@ -45,7 +45,7 @@ std::vector<run::Combination> cells_with_features(const Source& source) {
     }
   }
   if (cells.empty()) {
-    throw Error(Exit::input_missing, "there is no features.h5 for any cell of seed " +
+    throw Error(Exit::input_missing, "features.h5 is missing for all cells of seed " +
                                          std::to_string(source.shown_seed()) + "; run `make all`");
   }
   return cells;

@@ -48,7 +48,7 @@ Numbers protocols(Source& source) {
   const run::Layout counterpart = here.blocked();
   const auto rows = rows_of_side(here, counterpart, source.grid().dataset);
   if (rows.empty()) {
-    throw LeftOut("there is no run with the other split; run `make contrast`");
+    throw LeftOut("the run with the other split is missing; run `make contrast`");
   }
   const std::string own = protocol_of(here, rows.front());
   const std::string other = protocol_of(counterpart, rows.front());

@@ -38,7 +38,7 @@ Tried tried_in(const Source& source) {
       tried.cells.insert("sweep/" + entry.path().filename().string());
     }
   }
-  if (tried.cells.empty()) throw LeftOut("there is no sweep; run `make sweep`");
+  if (tried.cells.empty()) throw LeftOut("the sweep is missing; run `make sweep`");
   return tried;
 }
 

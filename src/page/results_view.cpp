@@ -9,7 +9,7 @@ namespace {
 
 using Sections = std::vector<report::Section>;
 
-Html no_diagnosis() { return element("p", "There is no diagnosis yet."); }
+Html no_diagnosis() { return element("p", "No diagnosis has finished yet."); }
 
 /// Places tables next to each other if the window is wide enough.
 Html side_by_side(const Sections& sections) {

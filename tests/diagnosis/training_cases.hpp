@@ -164,7 +164,7 @@ TEST_P(WdcnnTraining, RefusesImpossibleSets) {
   LabelledWindows none = good;
   none.labels.clear();
   none.samples.clear();
-  expect_error(Exit::bad_input, "no test window", good, none, backend());
+  expect_error(Exit::bad_input, "test windows are missing", good, none, backend());
 
   LabelledWindows two_long = good;
   two_long.length = 2048;

@@ -47,7 +47,7 @@ TEST_F(Protocols, AreLeftOutWithoutTheOtherRun) {
   Source all = source("none vae", "100to1 10to1");
   EXPECT_THROW(protocols(all), LeftOut);
   EXPECT_ERROR(protocols(all), Exit::input_missing,
-               "no run with the other split; run `make contrast`");
+               "the run with the other split is missing; run `make contrast`");
 }
 
 TEST_F(Protocols, AreTwo) {

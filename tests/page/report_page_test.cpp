@@ -227,7 +227,7 @@ TEST_F(ReportPage, ReportsMissingRecordings) {
       .datasets = {"cwru"}, .cells = {.methods = {"none"}, .ratios = {"100to1"}, .seeds = {"0"}}};
   const std::string html = page(requested);
   EXPECT_THAT(html, HasSubstr("data/cwru/97.mat: no such file"));
-  EXPECT_THAT(html, HasSubstr("There is no diagnosis yet."));
+  EXPECT_THAT(html, HasSubstr("No diagnosis has finished yet."));
 }
 
 TEST_F(ReportPage, FailsWithoutACell) {
@@ -364,7 +364,7 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
         "figures: fig07-losses is not drawn: needs the method piae-dt, which is not in the "
         "grid\nfigures: fig13-14-quality is not drawn: " +
             (run_ / "cwru/seed0/vae/score.h5").string() +
-            ": no such file\nleft out fig19-sweep: there is no sweep; run `make sweep`\n");
+            ": no such file\nleft out fig19-sweep: the sweep is missing; run `make sweep`\n");
   write("cwru/figures/fig15-gains.csv", "a,b\n");
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("<b>needs the method piae-dt, which is not in the grid</b>: Fig. 7: "
@@ -375,7 +375,7 @@ TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {
   EXPECT_THAT(html, HasSubstr("<b>make figures has not run since its cells exist</b>: "));
   // A figure that the run does not need is not a problem.
   EXPECT_THAT(html, HasSubstr("<p>Left out, because this run lacks what they show</p>\n<ul><li>"
-                              "<b>there is no sweep; run `make sweep`</b>: Fig. 19: "));
+                              "<b>the sweep is missing; run `make sweep`</b>: Fig. 19: "));
 }
 
 TEST_F(ReportPage, ComputesRecallFromSummedConfusions) {

@@ -43,7 +43,8 @@ TEST_F(Figures, UseAllCellsOfTheRunAndAreReproducible) {
   const Outcome first = tiny.run("figures", figures_of({}));
   ASSERT_EQ(first.status, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("wrote fig11-12-windows@IR007.csv\n"));
-  EXPECT_THAT(first.out, HasSubstr("left out fig19-sweep: there is no sweep; run `make sweep`\n"));
+  EXPECT_THAT(first.out,
+              HasSubstr("left out fig19-sweep: the sweep is missing; run `make sweep`\n"));
   const std::string losses = csv(tiny, "fig07-losses");
   const std::string space = csv(tiny, "fig09-10-twin-space");
   EXPECT_THAT(losses, HasSubstr("\n0,2,4,total,"));  // seed, stage and the last of four epochs
