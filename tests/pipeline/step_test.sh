@@ -257,7 +257,7 @@ STAGE
     SUBMIT=./queue pipeline/step.sh results/t/real/seed0 own >/dev/null 2>messages &
     set +m
     wait_for started
-    until grep -qsE '^step: (started|waited)' results/t/real/seed0/own.log; do sleep 0.05; done
+    until stage_has_started results/t/real/seed0/own.log; do sleep 0.05; done
     # to the whole group, as a terminal does
     kill -$signal -- -$!
     code=0
@@ -287,7 +287,7 @@ stop_step_of_launcher() { # expected exit code
   rm -f started
   PATH=${path_of_step:-$PATH} SUBMIT=./launcher pipeline/step.sh results/t/real/seed0 own --output $model >/dev/null 2>messages &
   wait_for started
-  until grep -qs '^step: waited\|^step: started' results/t/real/seed0/own.log; do sleep 0.05; done
+  until stage_has_started results/t/real/seed0/own.log; do sleep 0.05; done
   kill -TERM $!
   expect_exit "$1" wait $!
   expect_line "$(tail -n 1 results/t/real/seed0/own.log)" "^step: exit $1 after"

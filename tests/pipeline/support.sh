@@ -35,6 +35,9 @@ skip_where_nothing_draws() {
   { command -v gnuplot && command -v qpdf; } >/dev/null || skip "gnuplot or qpdf is not installed"
 }
 
+# True once the stage of a step runs. The second line of the log, `step: started at TIME`, is older than that.
+stage_has_started() { grep -qsE '^step: (started|waited .* s)$' "$1"; } # log
+
 wait_for() { # file
   local tries=0
   until [[ -e $1 ]]; do

@@ -124,7 +124,7 @@ test_a_step_in_the_queue_is_stopped_at_once() {
 # wakes it.
 hold_training() { # seed
   local process held=
-  until_true "seed$1 is trained" grep -qsE '^step: (started|waited)' "${training/seed0/seed$1}"
+  until_true "seed$1 is trained" stage_has_started "${training/seed0/seed$1}"
   for process in $(running "$programs/train"); do
     ! grep -qsz "seed$1/piae-dt/model.h5" "/proc/$process/cmdline" || { kill -STOP "$process" && held=yes; }
   done

@@ -52,8 +52,7 @@ nearly_done() {
   rm -r results/tiny/tiny/seed0/piae-dt
 }
 
-is_training() { grep -qsE '^step: (started|waited)' "$training"; }
 wait_until_it_trains() {
-  until_true "piae-dt is trained" is_training
+  until_true "piae-dt is trained" stage_has_started "$training"
   sleep 1
 }
