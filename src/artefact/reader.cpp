@@ -248,9 +248,9 @@ std::vector<std::string> Reader::list(const std::string& group) const {
 }
 
 Handle Reader::open(const std::string& path) const {
-  if (!has(path)) refuse(path, "is missing");
+  if (!has(path)) refuse_content(path, "is missing");
   Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), path.c_str());
-  if (H5Iget_type(object) != H5I_DATASET) refuse(path, "is not a dataset");
+  if (H5Iget_type(object) != H5I_DATASET) refuse_content(path, "is not a dataset");
   return object;
 }
 
@@ -258,7 +258,8 @@ template <hdf5::Number T>
 Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) const {
   const Handle dataset = open(path);
   const Handle type(H5Dget_type(dataset), path.c_str());
-  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0) refuse(path, "has the wrong type of number");
+  if (H5Tequal(type, hdf5::stored_type<T>()) <= 0)
+    refuse_content(path, "has the wrong type of number");
   Array<T> array{{}, hdf5::shape_of(dataset)};
   bool fits = array.shape.size() == shape.size();
   std::size_t count = 1;
@@ -266,14 +267,14 @@ Array<T> Reader::numbers(const std::string& path, const hdf5::Shape& shape) cons
     fits = shape[i] == 0 || shape[i] == array.shape[i];
     count *= array.shape[i];
   }
-  if (!fits) refuse(path, "has the wrong shape");
+  if (!fits) refuse_content(path, "has the wrong shape");
   if (const auto stored = hdf5::stored_values(dataset, image_)) {
     array.values = values_in<T>(stored->values);
   } else if (count > 0) {
     array.values.resize(count);
     hdf5::read_checked(dataset, hdf5::stored_type<T>(), array.values.data(), path);
   }
-  if (!are_finite<T>(array.values)) refuse(path, "holds a NaN or an infinite value");
+  if (!are_finite<T>(array.values)) refuse_content(path, "holds a NaN or an infinite value");
   return array;
 }
 
@@ -287,26 +288,26 @@ std::vector<std::string> Reader::strings(const std::string& path) const {
   try {
     return hdf5::read_strings(file_, path);
   } catch (const std::exception& error) {
-    refuse(path, error.what());
+    refuse_content(path, error.what());
   }
 }
 
 template <hdf5::Number T>
 T Reader::scalar(const std::string& object, const std::string& name, const Range& range) const {
   const std::string where = object + ", attribute " + name;
-  if (!has_attribute(object, name)) refuse(where, "is missing");
+  if (!has_attribute(object, name)) refuse_content(where, "is missing");
   const Handle attribute(
       H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "attribute");
   const Handle type(H5Aget_type(attribute), "attribute");
   if (H5Tequal(type, hdf5::stored_type<T>()) <= 0 || !hdf5::holds_one_value(attribute)) {
-    refuse(where, "has the wrong type");
+    refuse_content(where, "has the wrong type");
   }
   T value{};
   hdf5::check(H5Aread(attribute, type, &value), where.c_str());
   if (!range.holds(static_cast<double>(value))) {
     std::ostringstream is;
     is << "is " << value << ", " << range.rule();
-    refuse(where, is.str());
+    refuse_content(where, is.str());
   }
   return value;
 }
@@ -334,14 +335,14 @@ std::int64_t Reader::integer(const std::string& object, const std::string& name,
 
 std::string Reader::text(const std::string& object, const std::string& name) const {
   const std::string where = object + ", attribute " + name;
-  if (!has_attribute(object, name)) refuse(where, "is missing");
+  if (!has_attribute(object, name)) refuse_content(where, "is missing");
   std::string value;
   try {
     value = hdf5::read_string_attribute(file_, object, name);
   } catch (const std::exception& error) {
-    refuse(object, error.what());
+    refuse_content(object, error.what());
   }
-  if (has_control_characters(value)) refuse(where, "holds a control character");
+  if (has_control_characters(value)) refuse_content(where, "holds a control character");
   return value;
 }
 
@@ -351,13 +352,17 @@ void Reader::require_all(const std::string& path, std::span<const double> values
   if (bad == values.end()) return;
   std::ostringstream is;
   is << "holds " << *bad << ", " << range.rule();
-  refuse(path, is.str());
+  refuse_content(path, is.str());
 }
 
 void Reader::require_all(const std::string& path, std::span<const std::int64_t> values,
                          const Range& range) const {
   const std::vector<double> same(values.begin(), values.end());
   require_all(path, same, range);
+}
+
+void Reader::refuse_content(const std::string& where, const std::string& what) const {
+  refuse(where, what + remedy);
 }
 
 void Reader::refuse(const std::string& where, const std::string& what) const {

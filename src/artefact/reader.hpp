@@ -101,6 +101,9 @@ class Reader {
 
   /// Throws Refusal if the provenance, which pages and tables show, is incomplete.
   void require_provenance() const;
+  /// Throws Refusal(bad_content) with the place, the problem and the remedy, for content that no
+  /// stage of this version writes.
+  [[noreturn]] void refuse_content(const std::string& where, const std::string& what) const;
   /// Throws Refusal if the path is missing or not a dataset.
   [[nodiscard]] hdf5::Handle open(const std::string& path) const;
   template <hdf5::Number T>

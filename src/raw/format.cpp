@@ -34,6 +34,7 @@ Signal unrated(const fs::path& file, const std::string& variable) {
   return {.samples = read_samples(file, variable)};
 }
 
+constexpr std::string_view hdf5_mark = "\x89HDF\r\n\x1a\n";
 constexpr const char* other_sound =
     "is sound in an unsupported format; convert it: sox FILE OUT.wav";
 constexpr const char* measurement_data_format =
@@ -49,7 +50,7 @@ constexpr const char* json = "is JSON: write the samples as CSV, one per row";
 const std::array marks{
     Mark{"MATLAB 5.0 MAT-file", 0, unrated<read_mat>},
     Mark{"MATLAB 7.3 MAT-file", 0, unrated<read_mat>},
-    Mark{"\x89HDF\r\n\x1a\n", 0, unrated<read_hdf5>},
+    Mark{hdf5_mark, 0, unrated<read_hdf5>},
     Mark{"\x93NUMPY", 0, unrated<read_npy>},
     Mark{"RIFF", 0, read_sound},
     Mark{"RF64", 0, read_sound},
@@ -124,6 +125,16 @@ std::string beginning_of(const fs::path& file) {
   return bytes;
 }
 
+/// True if HDF5 follows a user block, which has 512, 1024, 2048, ... bytes.
+bool has_user_block(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, hdf5_mark.size()> mark{};
+  for (std::streamoff at = 512; in.seekg(at).read(mark.data(), mark.size()); at *= 2) {
+    if (std::string_view(mark.data(), mark.size()) == hdf5_mark) return true;
+  }
+  return false;
+}
+
 /// True for a MATLAB file of version 4: a matrix of numbers with a header of five 4-byte numbers:
 /// type, rows, columns, imaginary or not, length of the name.
 bool is_mat4(std::string_view bytes) {
@@ -173,6 +184,7 @@ Read reader_of(const fs::path& file) {
     if (mark.read == nullptr) refuse_file(file, mark.instead);
     return mark.read;
   }
+  if (has_user_block(file)) return unrated<read_hdf5>;
   if (is_uff(bytes)) return read_uff;
   const std::string extension = extension_of(file);
   if (std::ranges::count(marked_extensions, extension) == 0) return read_table;

@@ -42,9 +42,9 @@ struct Filters {
 };
 
 /// Writes the signal as x of an HDF5 file, in five chunks.
-void write_filtered(const fs::path& path, const Filters& filters, bool is_matlab) {
+void write_filtered(const fs::path& path, const Filters& filters, hsize_t user_block) {
   const hid_t creation_of_file = H5Pcreate(H5P_FILE_CREATE);
-  if (is_matlab) H5Pset_userblock(creation_of_file, 512);
+  H5Pset_userblock(creation_of_file, user_block);
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_of_file, H5P_DEFAULT);
   const hsize_t extents[]{1, flipped_length};
   const hsize_t chunk[]{1, flipped_length / 5};
@@ -96,7 +96,7 @@ struct Covered {
 
 Covered filtered(const Folder& folder, const Filters& filters, bool is_matlab) {
   const fs::path path = folder / "filtered";
-  write_filtered(path, filters, is_matlab);
+  write_filtered(path, filters, is_matlab ? 512 : 0);
   Covered file{.bytes = bytes_of(path), .ranges = chunks_of(path), .variable = "x"};
   if (is_matlab) {  // MATLAB's block before the bytes of HDF5
     std::string header = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
@@ -295,6 +295,14 @@ TEST(Flips, InTheExtentsOfHdf5CannotHideChunks) {
   bytes[at + 9] = 3;  // 1 x 952: two chunks of five
   EXPECT_ERROR(read_here(folder.write("a.h5", bytes), "x"), Exit::bad_input,
                "dataset /x is damaged: its chunks do not match its extents");
+}
+
+TEST(FileOfHdf5, IsReadBehindAUserBlock) {
+  const Folder folder;
+  for (const hsize_t bytes : {512, 1024, 65536}) {
+    write_filtered(folder / "a.h5", {.deflate = true}, bytes);
+    EXPECT_EQ(read_here(folder / "a.h5", "x"), flipped_signal()) << bytes;
+  }
 }
 
 /// Flips bits in the old format's header and in a dataset without filters: the base and the end of
