@@ -123,7 +123,8 @@ programs := $(if $(findstring q,$(letters)),,build$(quickly:%=-%))
 endif
 
 # One plan covers all goals of the grid, including files of results/.
-grid_goals := records cells features tables all figures report sweep contrast identify readings transfer trust
+grid_goals := records cells features tables all figures report
+grid_goals += sweep contrast identify readings transfer trust verdicts
 requested := $(filter $(grid_goals) results/%,$(goals))
 # Programs take the request from the environment, so that neither make nor a shell interprets a value.
 GOALS := $(requested)
@@ -180,7 +181,7 @@ data: | $(programs)
 
 # ---- building -----------------------------------------------------------------------------------
 # Builds `programs tests benches` or `demo`, after installing the packages for them.
-drawing    = all figures report readings transfer
+drawing    = all figures report readings transfer verdicts
 draws      = $(filter demo $(drawing) results/%,$(or $(goals),$(on_cluster:%=all)))
 build_them = pipeline/deps.sh $(LIBTORCH) $1 $(if $(draws),figures) && \
   pipeline/build.sh $(ARCH) $(LIBTORCH) $1

@@ -2,12 +2,17 @@
 
 #include <string>
 
+#include "classification/texts.hpp"
+
 namespace piae::classification {
 
 namespace {
 
-void write_recordings(artefact::Writer& writer, const std::vector<Verdict>& verdicts) {
+void write_recordings(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
+                      const signal::DatasetInfo& info) {
   std::vector<std::string> names;
+  std::vector<std::string> classes;
+  std::vector<std::string> evidence;
   std::vector<Label> labels;
   std::vector<double> probabilities;
   std::vector<double> shares;
@@ -15,6 +20,8 @@ void write_recordings(artefact::Writer& writer, const std::vector<Verdict>& verd
   std::vector<std::int32_t> unknown;
   for (const Verdict& verdict : verdicts) {
     names.push_back(verdict.recording.name);
+    classes.push_back(verdict.recording.true_class);
+    evidence.push_back(evidence_of(verdict, info));
     labels.push_back(verdict.label);
     probabilities.push_back(verdict.probability);
     shares.push_back(verdict.share);
@@ -22,6 +29,8 @@ void write_recordings(artefact::Writer& writer, const std::vector<Verdict>& verd
     unknown.push_back(verdict.unknown ? 1 : 0);
   }
   writer.strings("/recordings/name", names);
+  writer.strings("/recordings/class", classes);
+  writer.strings("/recordings/evidence", evidence);
   writer.numbers("/recordings/label", labels);
   writer.numbers("/recordings/probability", probabilities);
   writer.numbers("/recordings/share", shares);
@@ -60,7 +69,7 @@ void write(artefact::Writer& writer, const std::vector<Verdict>& verdicts,
   signal::write(writer, classifier.info());
   writer.attribute("/", "classifier", std::string(classifier.classifier().name));
   writer.attribute("/", "classifier_digest", classifier_digest);
-  write_recordings(writer, verdicts);
+  write_recordings(writer, verdicts, classifier.info());
   write_windows(writer, verdicts, classifier.info().classes.size());
 }
 
@@ -69,6 +78,11 @@ void require_classification(const artefact::Reader& reader) {
   (void)reader.text("/", "classifier");
   (void)reader.text("/", "classifier_digest");
   const std::size_t recordings = reader.strings("/recordings/name").size();
+  for (const std::string path : {"/recordings/class", "/recordings/evidence"}) {
+    if (reader.strings(path).size() != recordings) {
+      reader.refuse(path, "is not as long as /recordings/name");
+    }
+  }
   const auto require_labels = [&](const std::string& path, std::size_t n) {
     for (const Label label : reader.numbers<Label>(path, {n}).values) {
       if (label < 0 || index_of(label) >= info.classes.size()) {
@@ -108,11 +122,18 @@ std::vector<Named> read_named(const artefact::Reader& reader) {
   require_classification(reader);
   const signal::DatasetInfo info = signal::read_dataset_info(reader);
   const std::vector<std::string> names = reader.strings("/recordings/name");
+  const std::vector<std::string> classes = reader.strings("/recordings/class");
+  const std::vector<std::string> evidence = reader.strings("/recordings/evidence");
+  const auto shares = reader.numbers<double>("/recordings/share", {names.size()}).values;
   const auto labels = reader.numbers<Label>("/recordings/label", {names.size()}).values;
   const auto unknown = reader.numbers<std::int32_t>("/recordings/unknown", {names.size()}).values;
   std::vector<Named> named;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    named.push_back({names[i], unknown[i] == 1 ? "unknown" : info.class_of(labels[i]).name});
+    named.push_back({.recording = names[i],
+                     .true_class = classes[i],
+                     .fault = unknown[i] == 1 ? "unknown" : info.class_of(labels[i]).name,
+                     .evidence = evidence[i],
+                     .share = shares[i]});
   }
   return named;
 }

@@ -27,18 +27,21 @@ void require_finite_samples(const std::vector<double>& samples, const std::strin
                           what, *beyond));
 }
 
-void require_records(const signal::Description& description, const std::vector<std::string>& names,
+/// `records` have names.
+void require_records(const auto& records, const std::vector<std::string>& names,
                      const std::string& file) {
   for (const std::string& name : names) {
-    if (std::ranges::find(description.records, name, &signal::RecordSource::name) !=
-        description.records.end()) {
-      continue;
-    }
+    const auto is_named = [&](const auto& record) { return record.name == name; };
+    if (std::ranges::any_of(records, is_named)) continue;
     std::string there;
-    for (const auto& record : description.records) there += " " + record.name;
+    for (const auto& record : records) there += " " + record.name;
     throw Error(Exit::usage, fmt::format("--record: {} does not have a record '{}'; known:{}", file,
                                          name, there));
   }
+}
+
+bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::ranges::count(names, name) > 0;
 }
 
 }  // namespace
@@ -71,14 +74,28 @@ std::vector<Recording> read_described(const std::filesystem::path& file,
                                       const signal::DatasetInfo& trained,
                                       const std::function<void(const signal::SourceFile&)>& note) {
   const signal::Description description = signal::read_description(file);
-  require_records(description, names, file.string());
+  require_records(description.records, names, file.string());
   signal::RecordReader reader(description, data_dir);
   std::vector<Recording> recordings;
   for (const signal::RecordSource& source : description.records) {
-    if (!names.empty() && std::ranges::find(names, source.name) == names.end()) continue;
+    if (!is_chosen(names, source.name)) continue;
     const signal::Record record = reader.read(source);
     std::ranges::for_each(record.files, note);
     recordings.push_back(recording_of(record, description.info, trained));
+  }
+  return recordings;
+}
+
+std::vector<Recording> read_recorded(const artefact::Reader& records,
+                                     const std::vector<std::string>& names,
+                                     const signal::DatasetInfo& trained) {
+  const signal::Recordings all = signal::read_recordings(records);
+  require_records(all.records, names, records.path().string());
+  std::vector<Recording> recordings;
+  for (const signal::Record& record : all.records) {
+    if (is_chosen(names, record.name)) {
+      recordings.push_back(recording_of(record, all.info, trained));
+    }
   }
   return recordings;
 }

@@ -46,6 +46,12 @@ std::vector<Recording> read_described(const std::filesystem::path& description,
                                       const signal::DatasetInfo& trained,
                                       const std::function<void(const signal::SourceFile&)>& note);
 
+/// Returns the named records of records.h5, or all if `names` is empty. Throws Error(usage) for an
+/// unknown name, and as signal::read_recordings() and recording_of() do.
+std::vector<Recording> read_recorded(const artefact::Reader& records,
+                                     const std::vector<std::string>& names,
+                                     const signal::DatasetInfo& trained);
+
 /// Returns the windows of a recording, which start every `step` samples. Throws Error(bad_input)
 /// for a recording shorter than a window, and for a constant stretch, which is a dead channel.
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,

@@ -25,14 +25,19 @@ void bind(cli::Stage& stage, Sources& sources) {
       .required(false);
   stage.input_file("--data-dir", sources.data_dir, "Folder with the files that --description names")
       .required(false);
+  stage
+      .input_file("--records", sources.records_file,
+                  "recordings that were checked and resampled, records.h5 of ingest or simulate, "
+                  "instead of --recording")
+      .required(false);
   stage.options().add("--record", sources.records,
-                      "records of --description to classify (default: all)");
+                      "records of --description or --records to classify (default: all)");
 }
 
 void require_one(const Sources& sources) {
-  if (sources.lone.file.empty() == sources.description.empty()) {
-    throw Error(Exit::usage, "give either --recording or --description");
-  }
+  const int given =
+      !sources.lone.file.empty() + !sources.description.empty() + !sources.records_file.empty();
+  if (given != 1) throw Error(Exit::usage, "give one of --recording, --description and --records");
   const bool complete = sources.lone.sample_rate_hz > 0 && sources.lone.shaft_speed_rpm > 0 &&
                         !sources.lone.variable.empty();
   if (!sources.lone.file.empty() && !complete) {
@@ -42,9 +47,13 @@ void require_one(const Sources& sources) {
 
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
                             const signal::DatasetInfo& trained) {
-  if (sources.description.empty()) {
+  if (!sources.lone.file.empty()) {
     stage.note_input("recording", sources.lone.file);
     return {read_lone_file(sources.lone, trained)};
+  }
+  if (!sources.records_file.empty()) {
+    return read_recorded(stage.open("records", sources.records_file, "records"), sources.records,
+                         trained);
   }
   stage.note_input("description", sources.description);
   return read_described(sources.description, sources.data_dir, sources.records, trained,

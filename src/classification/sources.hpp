@@ -10,22 +10,23 @@
 
 namespace piae::classification {
 
-/// Recordings to classify: a single file, or those of a description.
+/// Recordings to classify: a single file, or those of a description or of records.h5.
 struct Sources {
   LoneFile lone;
   std::filesystem::path description;
   std::filesystem::path data_dir = "data";
-  std::vector<std::string> records;  ///< of the description; all if empty
+  std::filesystem::path records_file;
+  std::vector<std::string> records;  ///< their names; all if empty
 };
 
 void bind(cli::Stage& stage, Sources& sources);
 
-/// Throws Error(usage) unless exactly one of both is named, a single file with its variable, sample
-/// rate and shaft speed.
+/// Throws Error(usage) unless exactly one of the three is named, a single file with its variable,
+/// sample rate and shaft speed.
 void require_one(const Sources& sources);
 
 /// Reads the recordings at the sample rate of the training, and records the files as inputs of the
-/// stage. Throws as read_lone_file() and read_described() do.
+/// stage. Throws as read_lone_file(), read_described() and read_recorded() do.
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
                             const signal::DatasetInfo& trained);
 

@@ -53,23 +53,6 @@ std::string words_of(const inspection::FaultLine& line) {
   return fmt::format("{} {:+.1f} dB", inspection::line_name(line.fault_type), line.db.value_or(0));
 }
 
-/// Returns the line of the predicted fault, or for other classes the most prominent line. If the
-/// fault's own line is faint and another stands out, returns both: an analyst would have decided
-/// differently.
-std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
-  if (!info.has_bearing) return "bearing unknown";
-  const signal::Defect named = info.class_of(verdict.label).defect;
-  const inspection::FaultLine* const farthest = inspection::farthest(verdict.lines);
-  if (verdict.unknown || !bearing::causes_impacts(named)) {
-    return farthest == nullptr ? "no fault line" : words_of(*farthest);
-  }
-  const inspection::FaultLine& own = inspection::line_of(verdict.lines, named);
-  if (!own.db) return "too short for lines";
-  if (own.stands_out) return words_of(own);
-  if (farthest == nullptr) return words_of(own) + ", faint";
-  return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.fault_type));
-}
-
 /// Returns the table with names of at most `longest` characters.
 std::string table_with_names(const std::vector<Verdict>& verdicts, const DatasetInfo& info,
                              std::size_t longest) {
@@ -95,6 +78,20 @@ std::string table_with_names(const std::vector<Verdict>& verdicts, const Dataset
 }
 
 }  // namespace
+
+std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
+  if (!info.has_bearing) return "bearing unknown";
+  const signal::Defect named = info.class_of(verdict.label).defect;
+  const inspection::FaultLine* const farthest = inspection::farthest(verdict.lines);
+  if (verdict.unknown || !bearing::causes_impacts(named)) {
+    return farthest == nullptr ? "no fault line" : words_of(*farthest);
+  }
+  const inspection::FaultLine& own = inspection::line_of(verdict.lines, named);
+  if (!own.db) return "too short for lines";
+  if (own.stands_out) return words_of(own);
+  if (farthest == nullptr) return words_of(own) + ", faint";
+  return fmt::format("{}, not {}", words_of(*farthest), inspection::line_name(own.fault_type));
+}
 
 std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
   std::size_t longest = longest_name;

@@ -8,6 +8,11 @@
 
 namespace piae::classification {
 
+/// Returns text such as "BPFI +12.3 dB": the line of the predicted fault, or for other classes the
+/// most prominent line. If the fault's own line is faint and another stands out, returns both: an
+/// analyst would have decided differently.
+std::string evidence_of(const Verdict& verdict, const signal::DatasetInfo& info);
+
 /// Returns a table for a terminal, at most 80 columns wide, with a row for each recording: the
 /// predicted class (or "unknown"), its probability, the shares of windows that agree and that are
 /// unknown, and the height of the fault's line in the envelope spectrum. If descriptions give

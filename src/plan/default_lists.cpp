@@ -33,6 +33,29 @@ Words names_of_ratios() {
   return names;
 }
 
+/// Returns the classifiers other than WDCNN: the rules, the nearest neighbour and symptom-net.
+Words classifiers_but_wdcnn() {
+  Words names;
+  for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+    if (classifier.represent == nullptr) names.emplace_back(classifier.name);
+  }
+  return names;
+}
+
+/// Returns what judges records against a healthy one: all that works without known fault windows,
+/// except ceilings.
+Lists lists_of_verdicts() {
+  Lists lists{.datasets = {"cwru-blind"},
+              .methods = {augment::no_method},
+              .ratios = {scoring::all_ratios().front().name, scoring::all_ratios().back().name},
+              .classifiers = classifiers_but_wdcnn(),
+              .seeds = {0}};
+  for (const std::string& method : augment::methods_without_known()) {
+    if (!augment::is_ceiling(method)) lists.methods.push_back(method);
+  }
+  return lists;
+}
+
 /// Returns all groups, and their methods with all inputs of a WDCNN and with the baseline, at the
 /// ratio with the most generated windows.
 Lists lists_of_transfer(const Experiment& experiment) {
@@ -95,6 +118,7 @@ Words methods_of_paper() {
 }
 
 Lists default_lists(const Experiment& experiment, const std::vector<std::string>& goals) {
+  if (goals == Words{"verdicts"}) return lists_of_verdicts();
   Lists lists = has(goals, "transfer") ? lists_of_transfer(experiment) : lists_of_grid(goals);
   if (has(goals, "readings")) {
     lists.seeds = {100, 101, 102, 103, 104};  // choices are made on these seeds

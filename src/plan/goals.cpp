@@ -12,6 +12,7 @@
 #include "plan/sweep_steps.hpp"
 #include "plan/transfer_steps.hpp"
 #include "plan/trust_steps.hpp"
+#include "plan/verdict_steps.hpp"
 #include "plan/words.hpp"
 
 namespace piae::plan {
@@ -58,6 +59,10 @@ const std::vector<Goal>& goals() {
        .add = add_trust,
        .counts = {"score", "diagnose", "classifier"},
        .beginnings = {"trust.", "classifier.h5"}},
+      {.name = "verdicts",
+       .add = add_verdicts,
+       .counts = {"diagnose", "classifier", "classify"},
+       .beginnings = {"verdicts.", "classification.h5"}},
       {.name = "transfer", .add = add_transfers, .counts = scored, .beginnings = {"transfer"}},
       {.name = "contrast",
        .add = add_contrasts,

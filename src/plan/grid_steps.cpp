@@ -217,4 +217,19 @@ StepId GridSteps::classifier(const Dataset& dataset, std::int64_t seed, const st
   return add(std::move(step));
 }
 
+StepId GridSteps::classification(const Dataset& dataset, std::int64_t seed,
+                                 const std::string& method, const std::string& ratio,
+                                 const std::string& classifier) {
+  const Step of = graph_.at(this->classifier(dataset, seed, method, ratio, classifier));
+  const std::string output = of.folder + "/classification.h5";
+  if (const auto there = graph_.maker_of(output)) return *there;
+  return add({.stage = "classify",
+              .folder = of.folder,
+              .inputs = {input("classifier", of.outputs.front()),
+                         input("records", folder_ + '/' + dataset.name + "/records.h5")},
+              .outputs = {output},
+              .output_option = "output",
+              .place = of.place});
+}
+
 }  // namespace piae::plan

@@ -51,6 +51,9 @@ class GridSteps {
   /// The trained classifier, for `classify` and `monitor`.
   StepId classifier(const Dataset& dataset, std::int64_t seed, const std::string& method,
                     const std::string& ratio, const std::string& classifier);
+  /// The verdicts of that classifier on all records of the data set.
+  StepId classification(const Dataset& dataset, std::int64_t seed, const std::string& method,
+                        const std::string& ratio, const std::string& classifier);
 
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] StageSettings& settings() { return settings_; }

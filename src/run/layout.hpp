@@ -52,6 +52,12 @@ class Layout {
                                                       const std::string& classifier) const {
     return diagnosis(method, ratio, seed, classifier).replace_filename("classifier.h5");
   }
+  /// Verdicts of that classifier on the records.
+  [[nodiscard]] std::filesystem::path classification(const std::string& method,
+                                                     const std::string& ratio, std::int64_t seed,
+                                                     const std::string& classifier) const {
+    return diagnosis(method, ratio, seed, classifier).replace_filename("classification.h5");
+  }
   /// A diagnosis by the paper's classifier with the features of the test windows.
   [[nodiscard]] std::filesystem::path features(const std::string& method, const std::string& ratio,
                                                std::int64_t seed) const {
@@ -93,6 +99,8 @@ class Layout {
   [[nodiscard]] std::filesystem::path confidence_csv() const { return folder_ / "confidence.csv"; }
   [[nodiscard]] std::filesystem::path trust_csv() const { return folder_ / "trust.csv"; }
   [[nodiscard]] std::filesystem::path trust_markdown() const { return folder_ / "trust.md"; }
+  [[nodiscard]] std::filesystem::path verdicts_csv() const { return folder_ / "verdicts.csv"; }
+  [[nodiscard]] std::filesystem::path verdicts_markdown() const { return folder_ / "verdicts.md"; }
   [[nodiscard]] std::filesystem::path recommendation_csv() const {
     return folder_ / "recommendation.csv";
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "spectra/fft.hpp"
@@ -17,13 +18,25 @@ namespace {
 using Eigen::Index;
 using Complex = std::complex<double>;
 
-/// Returns Hann's window, computed once per length and thread because windows often come one by
+/// Hann's window, and memory for a tapered window, padded with zeros, and its spectrum.
+struct Workspace {
+  Eigen::RowVectorXd taper;
+  std::vector<double> tapered;
+  std::vector<Complex> spectrum;
+};
+
+/// Returns a workspace that is made once per size and thread, because windows often come one by
 /// one.
-const Eigen::RowVectorXd& taper_of(Index length) {
-  thread_local std::map<Index, Eigen::RowVectorXd> tapers;
-  Eigen::RowVectorXd& taper = tapers[length];
-  if (taper.size() == 0) taper = hann(length);
-  return taper;
+Workspace& workspace_of(Index length, Index padding) {
+  thread_local std::map<std::pair<Index, Index>, Workspace> workspaces;
+  Workspace& workspace = workspaces[{length, padding}];
+  if (workspace.taper.size() == 0) {
+    const auto padded = static_cast<std::size_t>(padding * length);
+    workspace = {.taper = hann(length),
+                 .tapered = std::vector<double>(padded),
+                 .spectrum = std::vector<Complex>(padded / 2 + 1)};
+  }
+  return workspace;
 }
 
 /// Doubles the positive frequencies and removes the negative ones.
@@ -48,10 +61,8 @@ Eigen::RowVectorXd hann(Index length) {
 
 Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
   const Index bins = padding * windows.cols() / 2 + 1;
-  const Eigen::RowVectorXd& taper = taper_of(windows.cols());
+  auto& [taper, tapered, spectrum] = workspace_of(windows.cols(), padding);
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(bins);
-  std::vector<double> tapered(static_cast<std::size_t>(padding * windows.cols()));
-  std::vector<std::complex<double>> spectrum(tapered.size() / 2 + 1);
   for (Index i = 0; i < windows.rows(); ++i) {
     Eigen::Map<Eigen::RowVectorXd>(tapered.data(), windows.cols()) =
         (windows.row(i).array() - windows.row(i).mean()) * taper.array();

@@ -85,6 +85,7 @@ Words outputs_of(const std::string& stage, const Options& options) {
   }
   if (stage == "readings") return in_folder({"readings.csv", "readings.md"});
   if (stage == "trust") return in_folder({"trust.csv", "trust.md"});
+  if (stage == "verdicts") return in_folder({"verdicts.csv", "verdicts.md"});
   if (stage == "identify") {
     return in_folder({"identifiability.csv", "scatter.csv", "identifiability.md"});
   }

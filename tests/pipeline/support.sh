@@ -51,7 +51,7 @@ stand_ins() {
   mkdir fake
   local stage
   for stage in ingest simulate split train generate score diagnose tabulate sweep contrast identify readings transfer \
-    trust; do
+    trust classify verdicts; do
     ln -s "$stand_in" "fake/$stage"
   done
   ln -s "$programs/plan" "$programs/status" fake

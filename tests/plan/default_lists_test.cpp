@@ -46,6 +46,16 @@ TEST_F(DefaultLists, AreSimulatedForAnIdentification) {
   EXPECT_THAT(of({"identify", "all"}).datasets, ElementsAre("cwru"));
 }
 
+TEST_F(DefaultLists, AreWhatWorksWithoutKnownFaultsForVerdicts) {
+  const Lists lists = of({"verdicts"});
+  EXPECT_THAT(lists.datasets, ElementsAre("cwru-blind"));
+  EXPECT_THAT(lists.methods, ElementsAre("none", "piae-dt-zero", "healthy-plus-impulses"));
+  EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
+  EXPECT_THAT(lists.classifiers,
+              ElementsAre("nearest", "envelope-rule", "exclusion-rule", "symptom-net"));
+  EXPECT_THAT(lists.seeds, ElementsAre(0));
+}
+
 TEST_F(DefaultLists, CoverTheGroupsForATransfer) {
   EXPECT_ERROR((void)of({"transfer"}), Exit::usage, "does not name a group of data sets");
   run_.set("[diagnose]",

@@ -241,8 +241,8 @@ TEST(DueTables, UseCellsWhoseInputsWereDeleted) {
 }
 
 TEST(ArtefactsOfAPlan, AreReadTogether) {
-  for (const std::string goal :
-       {"all", "cells", "tables", "sweep", "contrast", "identify", "readings", "trust"}) {
+  for (const std::string goal : {"all", "cells", "tables", "sweep", "contrast", "identify",
+                                 "readings", "trust", "verdicts"}) {
     for (const Stretch stretch : {Stretch::grid, Stretch::numbers, Stretch::pages}) {
       SmallRun run;
       run.request.ratios = std::nullopt;

@@ -225,6 +225,20 @@ TEST_F(StepsOfARun, KeepTheClassifierForTrust) {
   EXPECT_THAT(logs("trust"), Contains("t/real/trust"));
 }
 
+TEST_F(StepsOfARun, JudgeEachRecordForVerdicts) {
+  run_.request.methods = "smote";
+  run_.request.ratios = "10to1";
+  run_.request.classifiers = "wdcnn";
+  EXPECT_THAT(
+      command("seed0/smote/10to1/wdcnn/classification.h5", "verdicts"),
+      HasSubstr("classify --classifier results/t/real/seed0/smote/10to1/wdcnn/classifier.h5 "
+                "--records results/t/real/records.h5 --output "));
+  EXPECT_THAT(command("verdicts.md", "verdicts"), Not(HasSubstr("--others")));
+  run_.disk.files[run_.pipeline / "datasets/real.csv"] = {.digest = "graded"};
+  EXPECT_THAT(command("verdicts.md", "verdicts"), HasSubstr(" --others "));
+  EXPECT_THAT(logs("verdicts"), Contains("t/real/verdicts"));
+}
+
 TEST_F(StepsOfARun, CoverGroupsOfDataSetsInATransfer) {
   run_.set("[diagnose]",
            "[transfer.both]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\ninputs = "

@@ -127,13 +127,14 @@ TEST(Goals, AFolderIsNotAFileOfAGoal) {
   }
 }
 
-/// Returns the words of a line `name := ...` of the Makefile, or `name = $(filter ...,...)`.
+/// Returns the words of lines `name := ...` and `name += ...` of the Makefile.
 std::vector<std::string> words_in_makefile(const std::string& name) {
+  std::vector<std::string> all;
   for (const std::string& line : text::read_lines(PIAE_SOURCE "/Makefile")) {
-    std::vector<std::string> words = words_in(line);
-    if (words.size() > 2 && words[0] == name) return {words.begin() + 2, words.end()};
+    const std::vector<std::string> words = words_in(line);
+    if (words.size() > 2 && words[0] == name) all.insert(all.end(), words.begin() + 2, words.end());
   }
-  return {};
+  return all;
 }
 
 TEST(Goals, AreThoseOfTheMakefile) {

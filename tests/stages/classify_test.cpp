@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <sstream>
 
 #include "base/sha256.hpp"
+#include "classification/record.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/kept_classifier.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -260,11 +262,37 @@ TEST_F(Classify, HasAWindowAtEachStep) {
   EXPECT_EQ(windows_by(with(classify(), "--step", std::to_string(test_.length / 2))), 5U);
 }
 
-TEST_F(Classify, NeedsOneRecordingOrADescription) {
-  const std::string words = "give either --recording or --description";
+TEST_F(Classify, JudgesCheckedRecordsLikeTheirDescription) {
+  describe();
+  const auto judged = [&](const Arguments& from) {
+    Arguments arguments{"--classifier", "classifier.h5", "--output", "out.h5"};
+    arguments.insert(arguments.end(), from.begin(), from.end());
+    const Outcome outcome = tiny_.run("classify", arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::map<std::string, std::string> faults;
+    for (const classification::Named& each :
+         classification::read_named({tiny_ / "out.h5", "classification"})) {
+      EXPECT_EQ(each.recording.substr(0, each.recording.find('-')), each.true_class);
+      faults[each.recording] = each.fault;
+    }
+    return faults;
+  };
+  const auto described = judged({"--description", "mine.toml", "--data-dir", "data"});
+  EXPECT_EQ(described.size(), 6U);
+  EXPECT_EQ(judged({"--records", "records.h5"}), described);
+  EXPECT_EQ(judged({"--records", "records.h5", "--record", "OR021-01"}).size(), 1U);
+  expect_refused({"--classifier", "classifier.h5", "--records", "records.h5", "--record", "a"}, 2,
+                 {"--record: records.h5 does not have a record 'a'; known: IR007-01"});
+  expect_refused({"--classifier", "classifier.h5", "--records", "A.h5"}, 65,
+                 {"A.h5: is an artefact"});
+}
+
+TEST_F(Classify, NeedsOneSourceOfRecordings) {
+  const std::string words = "give one of --recording, --description and --records";
   expect_refused({"--classifier", "classifier.h5"}, 2, {words});
   describe();
   expect_refused(with(classify(), "--description", "mine.toml"), 2, {words});
+  expect_refused(with(classify(), "--records", "records.h5"), 2, {words});
   for (const std::string option : {"--variable", "--speed-rpm", "--sample-rate-hz"}) {
     expect_refused(without(classify(), option), 2,
                    {"--recording needs --variable, --sample-rate-hz and --speed-rpm"});

@@ -67,7 +67,7 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--classifier", "c.h5", "--sample-rate-hz", "12000", "--speed-rpm", "1797"};
   } else if (GetParam() == std::string("classify")) {
     arguments = {"--classifier", "c.h5"};
-  } else if (GetParam() == std::string("trust")) {
+  } else if (GetParam() == std::string("trust") || GetParam() == std::string("verdicts")) {
     arguments = {"--run", "run",      "--dataset", "tiny",    "--methods",
                  "none",  "--ratios", "100to1",    "--seeds", "0"};
   } else if (GetParam() == std::string("check")) {
@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "transfer", "identify", "verify", "read_raw",
-                                         "export_windows", "monitor", "classify", "trust"),
+                                         "export_windows", "monitor", "classify", "trust",
+                                         "verdicts"),
                          [](const auto& info) { return info.param; });
 
 TEST(Usage, TrainHelpShowsTheOptionsOfTheMethod) {

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Goals for single questions: contrast, sweep, readings, identify, transfer, trust. tests/plan tests their steps in
+# Goals for single questions: contrast, sweep, readings, identify, transfer, trust, verdicts. tests/plan tests their steps in
 # process; here make runs them, shows their tables, and does nothing a second time.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/../../pipeline/support.sh"
@@ -142,6 +142,18 @@ test_no_other_goal_keeps_classifiers() {
   expect_equal "$(tail -n 1 shown)" "$(<results/t/real/trust.md)"
   ask all "${which[@]}" >/dev/null
   expect_equal "$(ran)" ""
+}
+
+test_verdicts_judge_all_records_by_each_kept_classifier() {
+  describe
+  local which=(DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS="0 1")
+  ask trust "${which[@]}" >/dev/null
+  rm calls
+  expect_equal "$(twice verdicts "${which[@]}")" "6 classify, 1 verdicts"
+  expect_equal "$(tail -n 1 shown)" "$(<results/t/real/verdicts.md)"
+  [[ -e results/t/real/verdicts.svg ]] || fail "no picture"
+  rm results/t/real/seed0/none/100to1/nearest/classifier.h5
+  expect_equal "$(twice verdicts "${which[@]}")" "1 keep"
 }
 
 test_impossible_requests_are_refused_before_any_cell() {

@@ -153,8 +153,10 @@ for classifier in wdcnn nearest exclusion-rule symptom-net; do
 done
 consumer $cell/none/100to1/wdcnn/classifier.h5 trust --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
   --classifiers wdcnn
-# (No stage reads it; verify does.)
-stage classify --classifier $cell/none/100to1/wdcnn/classifier.h5 "${classify[@]}" --output classification.h5
+kept=$cell/none/100to1/wdcnn
+stage classify --classifier $kept/classifier.h5 --records records.h5 --output $kept/classification.h5
+consumer $kept/classification.h5 verdicts --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
+  --classifiers wdcnn
 
 # A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
@@ -252,4 +254,3 @@ cp ../artefacts/tiny.toml ../artefacts/speeds.toml simulation/
 cp "$project/pipeline/protocol.toml" protocol/
 cp "$project"/results/published/*.csv published/
 while read -r file _; do cp "../artefacts/$file" "artefact/${file//\//-}"; done <../artefacts/consumers
-cp ../artefacts/classification.h5 artefact/
