@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
       stage.input_file("--real", real_file,
                        "hidden real windows, D.h5 of split; for ceilings only");
     }
-    if (entry->uses_healthy) {
+    if (entry->healthy != augment::Healthy::unused) {
+      const bool required = entry->healthy == augment::Healthy::required;
       stage
           .input_file("--healthy", healthy_file,
-                      entry->without_known
-                          ? "healthy windows that get the faults, B.h5 of split"
-                          : "healthy windows for --background-from healthy, B.h5 of split")
-          .required(entry->without_known);
+                      required ? "healthy windows, B.h5 of split"
+                               : "healthy windows for --background-from healthy, B.h5 of split")
+          .required(required);
     }
   }
 
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     method->train(windows, stream, run.compute, checkpoint, model);
     stage.save(model, model_file);
     artefact::remove_file(checkpoint.path);
-    std::cout << fmt::format("trained {} on {}: {}\n", name, augment::counted_faults(windows),
-                             model_file.string());
+    std::cout << fmt::format("trained {} on {}{}: {}\n", name, augment::counted_faults(windows),
+                             method->remark(), model_file.string());
   });
 }

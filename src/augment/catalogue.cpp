@@ -8,6 +8,7 @@
 
 #include "augment/dynamics.hpp"
 #include "augment/healthy_plus_impulses.hpp"
+#include "augment/mixup.hpp"
 #include "augment/oracle.hpp"
 #include "augment/physics.hpp"
 #include "augment/piae_dt.hpp"
@@ -16,6 +17,7 @@
 #include "augment/playback.hpp"
 #include "augment/repetition.hpp"
 #include "augment/smote.hpp"
+#include "augment/spectral.hpp"
 #include "augment/strike_twin.hpp"
 #include "augment/vae.hpp"
 #include "augment/wgan_gp.hpp"
@@ -27,6 +29,8 @@ namespace {
 
 using Shift = Repetition::Shift;
 using Speed = Playback::Speed;
+using Start = Smote::Start;
+using Partner = Mixup::Partner;
 
 template <class M, auto... arguments>
 std::unique_ptr<Method> make() {
@@ -43,7 +47,7 @@ constexpr CatalogueEntry entries[] = {
     {.name = "smote",
      .kind = Kind::published,
      .what = "points between known windows",
-     .make = make<Smote>},
+     .make = make<Smote, Start::every>},
     {.name = "vae",
      .kind = Kind::published,
      .what = "a conditional variational auto-encoder",
@@ -119,14 +123,14 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::ours,
      .what = "known windows with the impacts of the tested condition",
      .make = make<StrikeTwin>,
-     .uses_healthy = true,
+     .healthy = Healthy::optional,
      .carries = true,
      .needs = Needs::size},
     {.name = "piae-dt-zero",
      .kind = Kind::ours,
      .what = "healthy windows with impacts drawn from a prior of faults",
      .make = make<PiaeDtZero>,
-     .uses_healthy = true,
+     .healthy = Healthy::required,
      .without_known = true,
      .needs = Needs::impact_rate},
     {.name = "oversample",
@@ -138,6 +142,28 @@ constexpr CatalogueEntry entries[] = {
      .what = "known windows, circularly shifted",
      .make = make<Repetition, Shift::circular>,
      .recommended = true},
+    {.name = "mixup",
+     .kind = Kind::control,
+     .what = "weighted means of two known windows",
+     .make = make<Mixup, Partner::as_known>},
+    {.name = "aligned-mixup",
+     .kind = Kind::control,
+     .what = "the same after alignment by cross-correlation and with equal levels",
+     .make = make<Mixup, Partner::aligned>},
+    {.name = "spectral",
+     .kind = Kind::control,
+     .what = "known windows with random phases through random transfer paths",
+     .make = make<Spectral>},
+    {.name = "adasyn",
+     .kind = Kind::control,
+     .what = "smote, more often from windows near other classes",
+     .make = make<Smote, Start::foreign_share>,
+     .healthy = Healthy::required},
+    {.name = "borderline-smote",
+     .kind = Kind::control,
+     .what = "smote, only from windows at the border to other classes",
+     .make = make<Smote, Start::in_danger>,
+     .healthy = Healthy::required},
     {.name = "resample",
      .kind = Kind::control,
      .what = "known windows played at the tested speed",
@@ -150,7 +176,7 @@ constexpr CatalogueEntry entries[] = {
      .kind = Kind::control,
      .what = "healthy windows with the impulses of one damped resonance",
      .make = make<HealthyPlusImpulses>,
-     .uses_healthy = true,
+     .healthy = Healthy::required,
      .without_known = true,
      .needs = Needs::impact_rate},
     {.name = "oracle",

@@ -28,6 +28,9 @@ enum class Needs {
   size,         ///< the same as `impact_rate`, and defect_size_mm
 };
 
+/// Use that a method makes of healthy windows B, in addition to the known ones.
+enum class Healthy { unused, optional, required };
+
 /// One entry of the catalogue of methods.
 struct CatalogueEntry {
   const char* name;  ///< the name in METHODS, in folders and in tables
@@ -36,7 +39,7 @@ struct CatalogueEntry {
   std::unique_ptr<Method> (*make)() = nullptr;  ///< null for the baseline, which generates nothing
   int model = 0;        ///< number of the model in the paper (Tables 10 and 11); 0 for no model
   bool infers = false;  ///< true if it infers stiffness and damping of windows that it has not seen
-  bool uses_healthy = false;  ///< true if it uses healthy windows B in addition to the known ones
+  Healthy healthy = Healthy::unused;
   bool carries = false;  ///< true if it is made for faults that are known in other conditions only
   bool trains = false;   ///< true if nets::run_epochs() trains or fits it in epochs
   bool without_known = false;  ///< true if it makes faults of which no window is known

@@ -10,7 +10,7 @@ const signal::WindowSet& require_healthy(const std::optional<signal::WindowSet>&
                                          const signal::WindowSet& known) {
   if (!healthy) {
     throw Error(Exit::usage,
-                "--healthy is missing: this method makes faults from healthy windows; give "
+                "--healthy is missing: this method needs healthy windows; give "
                 "--healthy B.h5 of the same split");
   }
   if (healthy->length != known.length) {

@@ -20,18 +20,25 @@ double squared_distance(Window a, Window b) {
 
 }  // namespace
 
+std::vector<std::size_t> nearest_to(std::size_t i, const std::vector<Window>& windows,
+                                    std::size_t k) {
+  if (k >= windows.size()) throw std::logic_error("more neighbours requested than there are");
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t j = 0; j < windows.size(); ++j) {
+    if (j != i) others.emplace_back(squared_distance(windows[i], windows[j]), j);
+  }
+  std::ranges::sort(others);
+  std::vector<std::size_t> nearest;
+  for (std::size_t rank = 0; rank < k; ++rank) nearest.push_back(others[rank].second);
+  return nearest;
+}
+
 std::vector<std::vector<std::size_t>> nearest_neighbours(const std::vector<Window>& windows,
                                                          std::size_t k) {
   if (k >= windows.size()) throw std::logic_error("more neighbours requested than there are");
   std::vector<std::vector<std::size_t>> neighbours;
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    std::vector<std::pair<double, std::size_t>> others;
-    for (std::size_t j = 0; j < windows.size(); ++j) {
-      if (j != i) others.emplace_back(squared_distance(windows[i], windows[j]), j);
-    }
-    std::ranges::sort(others);
-    std::vector<std::size_t>& nearest = neighbours.emplace_back();
-    for (std::size_t rank = 0; rank < k; ++rank) nearest.push_back(others[rank].second);
+    neighbours.push_back(nearest_to(i, windows, k));
   }
   return neighbours;
 }

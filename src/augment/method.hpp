@@ -48,6 +48,10 @@ class Method {
   virtual void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                      const nets::Checkpoint& checkpoint, artefact::Writer& model) = 0;
 
+  /// Returns what the user should know about the last training, in brackets after a blank, for the
+  /// line that `train` prints. The default is empty.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
+
   /// Makes `count` windows of each fault class, class by class. Window i of a class must not depend
   /// on `count`, so its random numbers must come from the stream's child "<class>/<i>".
   virtual signal::WindowSet generate(const artefact::Reader& model, std::size_t count,

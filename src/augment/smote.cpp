@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "augment/healthy_model.hpp"
 #include "augment/interpolation.hpp"
+#include "augment/starting_windows.hpp"
 #include "augment/stored_model.hpp"
 #include "base/error.hpp"
 #include "base/label.hpp"
@@ -14,6 +16,9 @@
 namespace piae::augment {
 
 namespace {
+
+/// Permitted values of m.
+constexpr Range among_range{.low = 1, .high = 1e6};
 
 /// Known windows of one class, and for each the indices of its nearest neighbours.
 struct Neighbourhood {
@@ -55,16 +60,73 @@ std::size_t fewest_windows(const signal::WindowSet& known) {
   return fewest;
 }
 
-}  // namespace
-
-void bind(const cli::Options& command, SmoteOptions& options) {
-  command
-      .add("--neighbours", options.neighbours,
-           "k: interpolate a window with one of the k nearest of its class")
-      .check(cli::positive_number());
+/// Returns the starting points of the windows of one class; none for the healthy class.
+std::vector<std::size_t> starts_in(const Neighbourhood& own,
+                                   const std::vector<std::int64_t>& weights, std::size_t count) {
+  if (own.indices.empty()) return {};
+  std::vector<std::int64_t> own_weights;
+  for (const std::size_t i : own.indices) own_weights.push_back(weights[i]);
+  return even_turns(own_weights, count);
 }
 
-void Smote::bind(const cli::Options& command) { augment::bind(command, options_); }
+/// Sets the weights of a class to 1 if all are 0, and returns true in this case.
+bool made_equal(const std::vector<std::size_t>& own, std::vector<std::int64_t>& weights) {
+  if (std::ranges::any_of(own, [&](std::size_t i) { return weights[i] > 0; })) return false;
+  for (const std::size_t i : own) weights[i] = 1;
+  return true;
+}
+
+}  // namespace
+
+Smote::Smote(Start start) : start_(start) {
+  options_.foreign_among = start == Start::in_danger ? 10 : 5;
+}
+
+void Smote::use_healthy(const signal::WindowSet& healthy) {
+  if (start_ == Start::every) Method::use_healthy(healthy);  // throws
+  healthy_ = healthy;
+}
+
+void Smote::bind(const cli::Options& command) {
+  command
+      .add("--neighbours", options_.neighbours,
+           "k: interpolate a window with one of the k nearest of its class")
+      .check(cli::positive_number());
+  if (start_ == Start::every) return;
+  command
+      .add("--foreign-among", options_.foreign_among,
+           "m: count the windows of other classes among the m nearest real ones")
+      .check(cli::within(among_range));
+}
+
+Smote::Weights Smote::weights_from(const std::vector<std::int64_t>& foreign, int among,
+                                   const signal::WindowSet& known) const {
+  Weights weights{.of_windows = foreign};
+  if (start_ == Start::in_danger) {
+    for (std::int64_t& weight : weights.of_windows) {
+      weight = 2 * weight >= among && weight < among ? 1 : 0;
+    }
+  }
+  for (const Label label : known.info.fault_labels()) {
+    if (made_equal(known.indices_of(label), weights.of_windows)) ++weights.classes_as_smote;
+  }
+  return weights;
+}
+
+std::vector<std::int64_t> Smote::read_weights(const artefact::Reader& model,
+                                              const signal::WindowSet& known) const {
+  if (start_ == Start::every) return std::vector<std::int64_t>(known.size(), 1);
+  const std::int64_t among = model.integer("/", "foreign_among", among_range);
+  const auto foreign = model.numbers<std::int64_t>("/foreign_neighbours", {known.size()}).values;
+  model.require_all("/foreign_neighbours", foreign, {.low = 0, .high = static_cast<double>(among)});
+  const Weights weights = weights_from(foreign, static_cast<int>(among), known);
+  if (model.integer("/", "classes_as_smote") != weights.classes_as_smote) {
+    model.refuse("/, attribute classes_as_smote",
+                 fmt::format("must be {}, which follows from /foreign_neighbours",
+                             weights.classes_as_smote));
+  }
+  return weights.of_windows;
+}
 
 void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
                   const Compute& /*compute*/, const nets::Checkpoint& /*checkpoint*/,
@@ -72,6 +134,19 @@ void Smote::train(const signal::WindowSet& known, const Stream& /*stream*/,
   neighbourhoods(known, options_.neighbours);  // throws early what generate() would throw
   signal::write(model, known);
   model.attribute("/", "neighbours", std::int64_t{options_.neighbours});
+  if (start_ == Start::every) return;
+  const std::vector<std::int64_t> foreign =
+      foreign_neighbours(known, require_healthy(healthy_, known), options_.foreign_among);
+  const std::int64_t as_smote =
+      weights_from(foreign, options_.foreign_among, known).classes_as_smote;
+  model.attribute("/", "foreign_among", std::int64_t{options_.foreign_among});
+  model.numbers("/foreign_neighbours", foreign);
+  model.attribute("/", "classes_as_smote", as_smote);
+  if (as_smote > 0) {
+    remark_ =
+        fmt::format(" ({} of them as smote: {})", as_smote,
+                    start_ == Start::in_danger ? "no window in danger" : "no foreign neighbour");
+  }
 }
 
 signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t count,
@@ -80,9 +155,13 @@ signal::WindowSet Smote::generate(const artefact::Reader& model, std::size_t cou
   const Range neighbours{.low = 1, .high = static_cast<double>(fewest_windows(known)) - 1};
   const std::vector<Neighbourhood> all =
       neighbourhoods(known, static_cast<int>(model.integer("/", "neighbours", neighbours)));
+  const std::vector<std::int64_t> weights = read_weights(model, known);
+  std::vector<std::vector<std::size_t>> turns;
+  turns.reserve(all.size());
+  for (const Neighbourhood& own : all) turns.push_back(starts_in(own, weights, count));
   const auto make = [&](Label label, std::size_t index, Stream& random) {
     const Neighbourhood& own = all[index_of(label)];
-    const std::size_t base = index % own.windows.size();
+    const std::size_t base = turns[index_of(label)][index];
     const std::vector<std::size_t>& near = own.neighbours[base];
     const std::size_t neighbour = near[random.below(near.size())];
     signal::MadeWindow made =

@@ -1,5 +1,6 @@
 #include "base/random.hpp"
 
+#include <boost/random/beta_distribution.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
@@ -34,6 +35,10 @@ double Stream::uniform(double low, double high) {
 
 double Stream::normal(double mean, double standard_deviation) {
   return boost::random::normal_distribution<double>(mean, standard_deviation)(engine_);
+}
+
+double Stream::beta(double alpha, double beta) {
+  return boost::random::beta_distribution<double>(alpha, beta)(engine_);
 }
 
 std::size_t Stream::below(std::size_t bound) {

@@ -21,6 +21,7 @@ class Stream {
 
   double uniform(double low, double high);  ///< in [low, high)
   double normal(double mean, double standard_deviation);
+  double beta(double alpha, double beta);                  ///< in [0, 1]; both shapes at least 0.05
   std::size_t below(std::size_t bound);                    ///< in {0, ..., bound - 1}; bound > 0
   std::vector<std::size_t> permutation(std::size_t size);  ///< of {0, ..., size - 1}
 

@@ -112,7 +112,7 @@ StepId GridSteps::model(const Dataset& dataset, std::int64_t seed, const Variant
       .place = {
           .dataset = dataset.name, .seed = seed, .unit = variant.folder, .method = variant.method}};
   if (augment::is_ceiling(variant.method)) step.inputs.push_back(input("real", of_seed + "/D.h5"));
-  if (augment::find_entry(variant.method)->uses_healthy) {
+  if (augment::find_entry(variant.method)->healthy != augment::Healthy::unused) {
     step.inputs.push_back(input("healthy", of_seed + "/B.h5"));
   }
   for (const settings::Point& point : variant.moved) {

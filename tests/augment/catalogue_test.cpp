@@ -140,7 +140,8 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
       refusal("piae-dt-phase"),
       "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
       "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, piae-dt-zero, "
-      "oversample, shift, resample, randomise, healthy-plus-impulses, oracle");
+      "oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, resample, "
+      "randomise, healthy-plus-impulses, oracle");
   EXPECT_EQ(refusal("piae-dt-zero"), "");
   info.classes[1].defect = signal::Defect::other;
   EXPECT_EQ(
@@ -148,14 +149,15 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
       "C.h5: piae-dt-zero needs the impact rate of class bad, whose defect is 'other', which the "
       "description of rig does not give; use a method that does not need it: smote, vae, wgan-gp, "
       "ae, "
-      "oversample, shift, resample, randomise, oracle");
+      "oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, resample, "
+      "randomise, oracle");
   EXPECT_EQ(refusal("ae"), "");
   info.has_bearing = false;
   EXPECT_EQ(refusal("ae"),
             "C.h5: ae needs the bearing geometry, table [bearing], which the description of rig "
             "does not give; "
-            "use a method that does not need it: smote, vae, wgan-gp, oversample, shift, resample, "
-            "randomise, "
+            "use a method that does not need it: smote, vae, wgan-gp, oversample, shift, mixup, "
+            "aligned-mixup, spectral, adasyn, borderline-smote, resample, randomise, "
             "oracle");
   EXPECT_EQ(refusal("shift"), "");
   info.has_bearing = true;

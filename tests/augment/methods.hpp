@@ -27,14 +27,14 @@ inline signal::WindowSet as_healthy(signal::WindowSet windows) {
   return windows;
 }
 
-/// Trains on the known windows and returns the stored model. Methods without known windows get the
-/// same windows as healthy ones.
+/// Trains on the known windows and returns the stored model. Methods that require healthy windows
+/// get the same windows as healthy ones.
 inline std::filesystem::path train(const std::string& method, const std::string& options,
                                    const signal::WindowSet& known,
                                    const nets::Checkpoint& checkpoint, const std::string& name) {
   artefact::Writer writer("model");
   const std::unique_ptr<Method> learner = method_with(method, options);
-  if (find_entry(method)->without_known) learner->use_healthy(as_healthy(known));
+  if (find_entry(method)->healthy == Healthy::required) learner->use_healthy(as_healthy(known));
   learner->train(known, Stream("train"), {}, checkpoint, writer);
   std::filesystem::path path = scratch_file(name);
   writer.save(path, {});

@@ -20,6 +20,11 @@ const Case physics{"physics", "--stiffness-grid 3 --damping-grid 2"};
 const Case smote{"smote", "--neighbours 2"};
 const Case oversample{"oversample", ""};
 const Case shift{"shift", ""};
+const Case mixup{"mixup", ""};
+const Case aligned_mixup{"aligned-mixup", ""};
+const Case spectral{"spectral", "--equaliser-db 3"};
+const Case adasyn{"adasyn", "--neighbours 2"};
+const Case borderline_smote{"borderline-smote", "--neighbours 2"};
 const Case resample{"resample", ""};
 const Case randomise{"randomise", ""};
 const Case strike_twin{"strike-twin", "--equaliser-db 3 --background 0.2"};
@@ -48,8 +53,9 @@ class GeneratingMethod : public testing::TestWithParam<Case> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
-                         testing::Values(dynamics, physics, smote, oversample, shift, resample,
-                                         randomise, strike_twin, piae_dt_zero,
+                         testing::Values(dynamics, physics, smote, oversample, shift, mixup,
+                                         aligned_mixup, spectral, adasyn, borderline_smote,
+                                         resample, randomise, strike_twin, piae_dt_zero,
                                          healthy_plus_impulses, vae, wgan_gp),
                          name_of);
 

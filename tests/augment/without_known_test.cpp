@@ -37,7 +37,7 @@ TEST(WithoutKnown, AreMarkedInTheCatalogue) {
   for (const CatalogueEntry& entry : catalogue()) {
     EXPECT_EQ(entry.without_known, std::ranges::find(methods, entry.name) != methods.end());
     if (entry.without_known) {
-      EXPECT_TRUE(entry.uses_healthy);
+      EXPECT_EQ(entry.healthy, Healthy::required);
     }
   }
 }

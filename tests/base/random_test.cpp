@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numbers>
 
 namespace piae {
 namespace {
@@ -52,6 +54,45 @@ TEST(Stream, UniformAndNormalHaveTheirMoments) {
   EXPECT_NEAR(uniform / n, 4, 5 * std::sqrt(16.0 / 12 / n));
   EXPECT_NEAR(normal / n, 1, 5 * 3 / std::sqrt(n));
   EXPECT_NEAR(squares / n, 9, 5 * 9 * std::sqrt(2.0 / n));
+}
+
+/// Returns the Kolmogorov distance of 10,000 draws from a distribution function; it is below 0.0195
+/// in 99.9 % of cases.
+double distance_of_beta(double alpha, double beta, const std::function<double(double)>& expected) {
+  Stream stream("beta");
+  constexpr int n = 10'000;
+  std::vector<double> draws(n);
+  for (double& draw : draws) draw = stream.beta(alpha, beta);
+  std::ranges::sort(draws);
+  double largest = 0;
+  for (int i = 0; i < n; ++i) {
+    const double below = expected(draws[static_cast<std::size_t>(i)]);
+    largest = std::max(
+        {largest, std::abs(below - static_cast<double>(i) / n), std::abs(below - (i + 1.0) / n)});
+  }
+  return largest;
+}
+
+TEST(Stream, BetaHasItsDistribution) {
+  EXPECT_LT(distance_of_beta(1, 1, [](double x) { return x; }), 0.0195);
+  EXPECT_LT(distance_of_beta(2, 1, [](double x) { return x * x; }), 0.0195);
+  EXPECT_LT(distance_of_beta(1, 3, [](double x) { return 1 - std::pow(1 - x, 3); }), 0.0195);
+  EXPECT_LT(distance_of_beta(
+                0.5, 0.5, [](double x) { return 2 / std::numbers::pi * std::asin(std::sqrt(x)); }),
+            0.0195);
+}
+
+TEST(Stream, BetaIsANumberForSmallShapes) {
+  Stream stream("small shapes");
+  double sum = 0;
+  constexpr int n = 100'000;
+  for (int i = 0; i < n; ++i) {
+    const double draw = stream.beta(0.05, 0.05);
+    ASSERT_GE(draw, 0);
+    ASSERT_LE(draw, 1);
+    sum += draw;
+  }
+  EXPECT_NEAR(sum / n, 0.5, 5 * std::sqrt(1 / (4 * 1.1) / n));  // variance 1 / (4 (2 alpha + 1))
 }
 
 TEST(Stream, PermutationHoldsEachIndexOnce) {

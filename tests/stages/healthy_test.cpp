@@ -3,7 +3,8 @@
 #include "artefact/reader.hpp"
 #include "stages/tiny.hpp"
 
-/// Healthy windows B, from which strike-twin learns the machine's background.
+/// Healthy windows B, from which strike-twin learns the machine's background, and among which the
+/// variants of SMOTE look for neighbours.
 namespace piae::stages {
 namespace {
 
@@ -51,6 +52,24 @@ TEST_F(Healthy, WindowsAreRequiredForAHealthyBackground) {
   without.insert(without.end(), {"--background-from", "healthy"});
   expect_refusal(tiny_.run("train", without), "train", 2, {"--healthy B.h5"});
   EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+}
+
+TEST_F(Healthy, WindowsAreRequiredByVariantsOfSmote) {
+  for (const std::string method : {"adasyn", "borderline-smote"}) {
+    Arguments without{"--method", method, "--known", "C.h5", "--seed", "0", "--output", "model.h5"};
+    expect_refusal(tiny_.run("train", without), "train", 2, {"--healthy"});
+    EXPECT_FALSE(fs::exists(tiny_ / "model.h5"));
+    without.insert(without.end(), {"--healthy", "B.h5"});
+    const Outcome trained = tiny_.run("train", without);
+    ASSERT_EQ(trained.status, 0) << trained.err;
+    const std::int64_t as_smote =
+        artefact::Reader(tiny_ / "model.h5", "model").integer("/", "classes_as_smote");
+    const std::string remark = '(' + std::to_string(as_smote) + " of them as smote: no ";
+    EXPECT_EQ(trained.out.find(remark) != std::string::npos, as_smote > 0) << trained.out;
+    ASSERT_EQ(generate().status, 0);
+    EXPECT_EQ(tiny_.run("verify", {"model.h5", "E.h5"}).status, 0);
+    fs::remove(tiny_ / "model.h5");
+  }
 }
 
 TEST_F(Healthy, WindowsAreRefusedByOtherMethods) {

@@ -312,6 +312,20 @@ TEST_F(Impossible, ModelsOfOtherMethods) {
           {"neighbours 0", attribute("/", "neighbours", std::int64_t{0}), "from 1"},
           {"neighbours 2^40", attribute("/", "neighbours", huge), "to 4"},
       });
+  expect_model_refused(
+      "adasyn", {"--healthy", "B.h5"},
+      {
+          {"neighbours 2^40", attribute("/", "neighbours", huge), "to 4"},
+          {"foreign-among 0", attribute("/", "foreign_among", std::int64_t{0}), "foreign_among"},
+          {"-1 foreign neighbours", first_number("/foreign_neighbours", std::int64_t{-1}),
+           "/foreign_neighbours"},
+          {"another number of classes as smote",
+           attribute("/", "classes_as_smote", std::int64_t{99}), "classes_as_smote"},
+      });
+  expect_model_refused("aligned-mixup", {},
+                       {{"alpha 0", attribute("/mixup", "alpha", 0.0), "alpha"}});
+  expect_model_refused("spectral", {},
+                       {{"knots 2^40", attribute("/equaliser", "knots", huge), "knots"}});
   expect_model_refused("shift", {},
                        {{"a class without windows",
                          [](hid_t file) {

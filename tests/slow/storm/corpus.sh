@@ -116,6 +116,10 @@ train dynamics
 train smote
 train oversample
 train shift
+train mixup
+train spectral
+train adasyn --healthy B.h5
+train borderline-smote --healthy B.h5
 train oracle --real D.h5
 for method in piae-dt-phase smote; do # their windows record start angles and parents
   stage generate --model $method.model.h5 --count 5 --seed 0 --output $method.E.h5
