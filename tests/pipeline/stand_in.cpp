@@ -31,8 +31,9 @@ using Words = std::vector<std::string>;
 using Options = std::map<std::string, Words>;
 
 const std::map<std::string, std::string> kinds{
-    {"ingest", "records"},   {"simulate", "records"}, {"split", "windows"},     {"train", "model"},
-    {"generate", "windows"}, {"score", "score"},      {"diagnose", "diagnosis"}};
+    {"ingest", "records"},     {"simulate", "records"},       {"split", "windows"},
+    {"train", "model"},        {"generate", "windows"},       {"score", "score"},
+    {"diagnose", "diagnosis"}, {"classify", "classification"}};
 const Words of_files{"config",   "output", "output-dir", "keep-classifier",
                      "data-dir", "run",    "pipeline"};
 

@@ -146,7 +146,7 @@ test_no_other_goal_keeps_classifiers() {
 
 test_verdicts_judge_all_records_by_each_kept_classifier() {
   describe
-  local which=(DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS="0 1")
+  local which=(DATASETS=real METHODS="none smote" RATIOS="100to1 10to1" SEEDS="0 1" CLASSIFIERS=wdcnn)
   ask trust "${which[@]}" >/dev/null
   rm calls
   expect_equal "$(twice verdicts "${which[@]}")" "6 classify, 1 verdicts"
