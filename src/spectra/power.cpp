@@ -71,7 +71,9 @@ Eigen::ArrayXd mean_power_spectrum(const Windows& windows, Index padding) {
       power[bin] += std::norm(spectrum[static_cast<std::size_t>(bin)]);
     }
   }
-  return power / static_cast<double>(windows.rows());
+  // Windows often come one by one.
+  if (windows.rows() != 1) power /= static_cast<double>(windows.rows());
+  return power;
 }
 
 Eigen::ArrayXXd spectrogram(const Eigen::Ref<const Eigen::RowVectorXd>& window,
