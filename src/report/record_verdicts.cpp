@@ -48,6 +48,7 @@ std::vector<Named> read_verdicts(const run::Layout& layout, const run::Combinati
   const signal::DatasetInfo info = signal::read_dataset_info(reader);
   const std::string healthy = info.class_of(info.healthy_label()).name;
   std::vector<JudgedRecord> records;
+  records.reserve(verdicts.size());
   for (const Named& each : verdicts) {
     records.push_back({.name = each.recording,
                        .true_class = each.true_class,
@@ -66,6 +67,7 @@ Judge judge_of(const run::Layout& layout, const run::Grid& grid, const run::Comb
   for (const std::int64_t seed : grid.seeds) {
     std::vector<Named> verdicts = read_verdicts(layout, cell, seed, all);
     std::vector<bool> right;
+    right.reserve(verdicts.size());
     for (const Named& each : verdicts) right.push_back(each.fault == each.true_class);
     judge.verdicts.push_back(std::move(verdicts));
     judge.right.push_back(std::move(right));
@@ -139,7 +141,8 @@ std::vector<RecordGroup> groups_by_grade(const RecordVerdicts& verdicts) {
     if (std::ranges::count(those, record.grade) == 0) those.push_back(record.grade);
   }
   std::vector<RecordGroup> groups;
-  for (auto& [letter, those] : grades) {
+  for (auto& of_letter : grades) {
+    std::vector<std::string>& those = of_letter.second;
     std::ranges::sort(those);
     groups.push_back({.heading = fmt::format("{}", fmt::join(those, ", ")),
                       .records = records_with(verdicts, [&](const JudgedRecord& record) {
