@@ -174,6 +174,18 @@ void TableSteps::add(Step step, const std::string& role, const Words& files) {
   grid_.graph().add(std::move(step));
 }
 
+Words TableSteps::add_for_cells(const Part& part, StepOfCell step_of_cell) {
+  Words files;
+  for (const std::int64_t seed : choice_.seeds) {
+    for (const run::Combination& cell : part.cells) {
+      const StepId id =
+          (grid_.*step_of_cell)(part.dataset, seed, cell.method, cell.ratio, cell.classifier);
+      files.push_back(grid_.graph().at(id).outputs.front());
+    }
+  }
+  return files;
+}
+
 /// Adds the picture that gnuplot draws of a table.
 void TableSteps::add_picture(const std::string& csv) {
   const std::string name = csv.substr(0, csv.size() - std::string(".csv").size());

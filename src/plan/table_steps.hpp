@@ -55,6 +55,12 @@ class TableSteps {
   TableCells with_held(const Dataset& dataset, const std::vector<StepId>& requested,
                        const Chosen& chosen, bool only_looks = false);
 
+  /// Adds a step of the grid for each requested cell of a part, and returns their outputs.
+  using StepOfCell = StepId (GridSteps::*)(const Dataset& dataset, std::int64_t seed,
+                                           const std::string& method, const std::string& ratio,
+                                           const std::string& classifier);
+  std::vector<std::string> add_for_cells(const Part& part, StepOfCell step_of_cell);
+
   /// Adds a step that makes no artefacts, with these files as inputs in one role.
   void add(Step step, const std::string& role, const std::vector<std::string>& files);
   /// Adds the picture that gnuplot draws of a table.

@@ -8,14 +8,7 @@ namespace piae::plan {
 namespace {
 
 void add_trust_of(TableSteps& tables, const Part& part) {
-  Words files;
-  for (const std::int64_t seed : tables.choice().seeds) {
-    for (const run::Combination& cell : part.cells) {
-      const StepId id =
-          tables.grid().classifier(part.dataset, seed, cell.method, cell.ratio, cell.classifier);
-      files.push_back(tables.grid().graph().at(id).outputs.front());
-    }
-  }
+  const Words files = tables.add_for_cells(part, &GridSteps::classifier);
   const std::string folder = tables.folder_of(part.dataset);
   Step step{.stage = "trust",
             .folder = folder,
