@@ -157,10 +157,12 @@ for classifier in wdcnn nearest exclusion-rule symptom-net; do
 done
 consumer $cell/none/100to1/wdcnn/classifier.h5 trust --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
   --classifiers wdcnn
-kept=$cell/none/100to1/wdcnn
-stage classify --classifier $kept/classifier.h5 --records records.h5 --output $kept/classification.h5
-consumer $kept/classification.h5 verdicts --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
-  --classifiers wdcnn
+for classifier in wdcnn nearest; do
+  kept=$cell/none/100to1/$classifier
+  stage classify --classifier $kept/classifier.h5 --records records.h5 --output $kept/classification.h5
+  consumer $kept/classification.h5 verdicts --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
+    --classifiers wdcnn
+done
 
 # A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
