@@ -13,13 +13,7 @@ namespace piae::diagnosis {
 
 using Eigen::Index;
 
-namespace {
-
-constexpr auto stored_columns = static_cast<std::size_t>(number_of_bands);
-
-}  // namespace
-
-BandPowers band_powers(const signal::WindowSet& windows) {
+FeatureRows band_powers(const signal::WindowSet& windows) {
   const auto length = static_cast<Index>(windows.length);
   if (length < 2 * number_of_bands) {
     throw Error(Exit::bad_input,
@@ -31,7 +25,7 @@ BandPowers band_powers(const signal::WindowSet& windows) {
   for (Index band = 0; band <= number_of_bands; ++band) {
     edges.push_back(band * bins / number_of_bands);
   }
-  BandPowers features(static_cast<Index>(windows.size()), number_of_bands);
+  FeatureRows features(static_cast<Index>(windows.size()), number_of_bands);
   for (Index i = 0; i < features.rows(); ++i) {
     const auto samples = windows.window(static_cast<std::size_t>(i));
     const spectra::Windows window =
@@ -46,17 +40,17 @@ BandPowers band_powers(const signal::WindowSet& windows) {
   return features;
 }
 
-Eigen::MatrixXd Neighbours::squared_distances(const BandPowers& queries) const {
+Eigen::MatrixXd Neighbours::squared_distances(const FeatureRows& queries) const {
   Eigen::MatrixXd squares = known_ * (-2 * queries.transpose());
   squares.colwise() += squares_;
   squares.rowwise() += squares_of(queries).transpose();
   return squares.cwiseMax(0);  // rounding may make them negative
 }
 
-void write_bands(artefact::Writer& writer, const std::string& group, const BandPowers& bands,
+void write_bands(artefact::Writer& writer, const std::string& group, const FeatureRows& rows,
                  const std::vector<Label>& labels) {
-  const std::span<const double> values(bands.data(), static_cast<std::size_t>(bands.size()));
-  writer.numbers(group + "/bands", values, {labels.size(), stored_columns});
+  const std::span<const double> values(rows.data(), static_cast<std::size_t>(rows.size()));
+  writer.numbers(group + "/bands", values, {labels.size(), static_cast<std::size_t>(rows.cols())});
   writer.numbers(group + "/labels", labels);
 }
 
@@ -73,10 +67,11 @@ std::vector<Label> read_labels(const artefact::Reader& reader, const std::string
   return labels;
 }
 
-BandPowers read_bands(const artefact::Reader& reader, const std::string& group, std::size_t n) {
-  const auto bands = reader.numbers<double>(group + "/bands", {n, stored_columns});
-  return Eigen::Map<const BandPowers>(bands.values.data(), static_cast<Eigen::Index>(n),
-                                      number_of_bands);
+FeatureRows read_bands(const artefact::Reader& reader, const std::string& group, std::size_t n,
+                       Index columns) {
+  const auto bands =
+      reader.numbers<double>(group + "/bands", {n, static_cast<std::size_t>(columns)});
+  return Eigen::Map<const FeatureRows>(bands.values.data(), static_cast<Index>(n), columns);
 }
 
 }  // namespace piae::diagnosis

@@ -5,6 +5,8 @@
 #include "base/comma_list.hpp"
 #include "base/error.hpp"
 #include "diagnosis/line_rules.hpp"
+#include "diagnosis/order_inputs.hpp"
+#include "diagnosis/prototypes.hpp"
 #include "diagnosis/symptom_net.hpp"
 #include "diagnosis/wdcnn_inputs.hpp"
 
@@ -13,8 +15,8 @@ namespace piae::diagnosis {
 namespace {
 
 constexpr Classifier known_classifiers[] = {
-    wdcnn,   wdcnn_spectrum, wdcnn_envelope, wdcnn_spectra,
-    nearest, envelope_rule,  exclusion_rule, symptom_net,
+    wdcnn,          wdcnn_spectrum, wdcnn_envelope, wdcnn_spectra,  nearest,    envelope_rule,
+    exclusion_rule, symptom_net,    wdcnn_orders,   nearest_orders, prototypes,
 };
 
 }  // namespace

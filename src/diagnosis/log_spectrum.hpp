@@ -18,11 +18,9 @@ double root_mean_square(const scoring::Windows& window);
 /// least multiple of its length that gives at least `least_bands` bands (spectra/power.hpp). The
 /// bands are the frequencies i / (padding * N) of the sample rate, i = 1 .. padding * N / 2;
 /// frequency 0 is not a vibration. A sine of amplitude a gives ln(a) at its frequency: the
-/// amplitude is
-/// X
-///  * 4 / N, since Hann's window has the mean 1/2 and half of a sine's amplitude lies at the
-///  negative frequency (Harris 1978). Amplitudes below `floor`, in the unit of the recordings and
-///  above 0, are raised to it.
+/// amplitude is X * 4 / N, since Hann's window has the mean 1/2 and half of a sine's amplitude lies
+/// at the negative frequency (Harris 1978). Amplitudes below `floor`, in the unit of the recordings
+/// and above 0, are raised to it.
 Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_bands, double floor);
 
 /// Returns the log_spectrum() of the Hilbert envelope of one window, a row of N samples, over the
@@ -31,5 +29,26 @@ Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_b
 /// it.
 Eigen::ArrayXd log_envelope_spectrum(const scoring::Windows& window, Eigen::Index least_bands,
                                      double floor);
+
+/// Returns the logarithm of the amplitude of one window of N samples in `bands` bands, equally wide
+/// in log frequency, from 4 / N to half of the sample rate. At lower frequencies a window has too
+/// few periods. The amplitude of a band is the root mean square of those of log_spectrum(), half a
+/// cycle per window apart; a band narrower than that takes its part of one. Throws Error(bad_input)
+/// for windows shorter than 256 samples.
+Eigen::ArrayXd log_frequency_spectrum(const scoring::Windows& window, Eigen::Index bands,
+                                      double floor);
+
+/// Lowest and highest order of log_order_spectrum(). A cage has an order of about 0.4, and the
+/// second harmonics of the inner race's line lie below 20 in most bearings.
+inline constexpr double lowest_order = 0.5;
+inline constexpr double highest_order = 20;
+
+/// Returns log_envelope_spectrum() at `orders` multiples of the shaft frequency, equally spaced
+/// from the lowest to the highest order; the shaft makes `turns` turns in the window. Interpolates
+/// linearly between numbers half a cycle per window apart. Orders that the spectrum lacks, below
+/// one cycle per window or above half the sample rate, get the mean of the others: so they cannot
+/// make windows of two speeds different. If it lacks all, all are the logarithm of the floor.
+Eigen::ArrayXd log_order_spectrum(const scoring::Windows& window, double turns, Eigen::Index orders,
+                                  double floor);
 
 }  // namespace piae::diagnosis

@@ -1,12 +1,9 @@
 #include "diagnosis/nearest.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "base/error.hpp"
-#include "diagnosis/band_powers.hpp"
+#include "diagnosis/standardise.hpp"
 
 namespace piae::diagnosis {
 
@@ -19,34 +16,34 @@ constexpr float farthest_logit = -1e6F;
 
 }  // namespace
 
-Nearest::Nearest(const signal::WindowSet& training)
-    : length_(training.length),
+FeatureRows band_power_features(const signal::WindowSet& windows, const std::string& /*what*/) {
+  return band_powers(windows);
+}
+
+Nearest::Nearest(const signal::WindowSet& training, const WindowFeatures& features)
+    : features_(features),
+      length_(training.length),
       classes_(training.info.classes.size()),
       labels_(training.labels),
-      training_(band_powers(training)) {}
+      training_(features.of(training, "training set")) {}
 
 Nearest::Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info,
-                 std::size_t length)
-    : length_(length),
+                 std::size_t length, const WindowFeatures& features)
+    : features_(features),
+      length_(length),
       classes_(info.classes.size()),
       labels_(read_labels(reader, learned, info)),
-      training_(read_bands(reader, learned, labels_.size())) {}
+      training_(read_bands(reader, learned, labels_.size(), features.columns)) {}
 
 Outputs Nearest::outputs(const signal::WindowSet& windows, const std::string& what) {
-  if (windows.length != length_) {
-    throw Error(Exit::bad_input,
-                fmt::format("{}: windows of {} samples, but the training windows have {}; both "
-                            "must be the same: give files of one split",
-                            what, windows.length, length_));
-  }
-  const BandPowers window_bands = band_powers(windows);
+  require_length(windows, length_, what);
+  const FeatureRows rows = features_.of(windows, what);
   Outputs all;
   all.scores.assign(windows.size() * classes_, 0);
   all.logits.assign(windows.size() * classes_, farthest_logit);
-  for (Index begin = 0; begin < window_bands.rows(); begin += Neighbours::at_a_time) {
-    const Index count = std::min(Neighbours::at_a_time, window_bands.rows() - begin);
-    const Eigen::MatrixXd squares =
-        training_.squared_distances(window_bands.middleRows(begin, count));
+  for (Index begin = 0; begin < rows.rows(); begin += Neighbours::at_a_time) {
+    const Index count = std::min(Neighbours::at_a_time, rows.rows() - begin);
+    const Eigen::MatrixXd squares = training_.squared_distances(rows.middleRows(begin, count));
     for (Index i = 0; i < count; ++i) {
       predict(squares.col(i), static_cast<std::size_t>(begin + i), all);
     }

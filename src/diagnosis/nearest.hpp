@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "diagnosis/band_powers.hpp"
@@ -8,9 +9,22 @@
 
 namespace piae::diagnosis {
 
+/// Numbers by which Nearest compares windows.
+struct WindowFeatures {
+  /// Returns [n, columns]. `what` names the set in errors. Throws Error(bad_input) for windows
+  /// without such numbers.
+  FeatureRows (*of)(const signal::WindowSet& windows, const std::string& what);
+  Eigen::Index columns;
+};
+
+/// Returns band_powers(), for WindowFeatures.
+FeatureRows band_power_features(const signal::WindowSet& windows, const std::string& what);
+inline constexpr WindowFeatures by_band_powers{.of = band_power_features,
+                                               .columns = number_of_bands};
+
 /// Classifies a window by its nearest neighbour among the training windows. It is not trained
-/// and is the baseline that a generator must beat. Windows are compared by their band powers. At
-/// equal distances the first training window counts.
+/// and is the baseline that a generator must beat. Windows are compared by their features. At equal
+/// distances the first training window counts.
 ///
 /// Scores are 1 for the predicted class and 0 for the others, because a neighbour gives no
 /// certainty. Logits are minus half the squared distance to the nearest window of each class, as
@@ -18,10 +32,11 @@ namespace piae::diagnosis {
 /// least logit.
 class Nearest final : public Trained {
  public:
-  /// Throws Error(bad_input) for windows shorter than 256 samples.
-  explicit Nearest(const signal::WindowSet& training);
-  explicit Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info,
-                   std::size_t length);
+  /// Throws as the features do.
+  explicit Nearest(const signal::WindowSet& training,
+                   const WindowFeatures& features = by_band_powers);
+  Nearest(const artefact::Reader& reader, const signal::DatasetInfo& info, std::size_t length,
+          const WindowFeatures& features = by_band_powers);
 
   Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
@@ -30,6 +45,7 @@ class Nearest final : public Trained {
   /// Adds the output for one window, given its squared distances to the training windows.
   void predict(const Eigen::VectorXd& squares, std::size_t window, Outputs& all) const;
 
+  WindowFeatures features_;
   std::size_t length_;
   std::size_t classes_;
   std::vector<Label> labels_;  ///< of the training windows

@@ -24,7 +24,7 @@ constexpr Range possible_threshold{.low = least_threshold, .high = 1e6};
 Novelty::Novelty(const signal::WindowSet& reference, std::vector<std::int32_t> groups)
     : Novelty(band_powers(reference), reference.labels, std::move(groups)) {}
 
-Novelty::Novelty(BandPowers bands, std::vector<Label> labels, std::vector<std::int32_t> groups)
+Novelty::Novelty(FeatureRows bands, std::vector<Label> labels, std::vector<std::int32_t> groups)
     : labels_(std::move(labels)),
       groups_(std::move(groups)),
       reference_(std::move(bands)),
@@ -46,7 +46,7 @@ double Novelty::largest_left_out() const {
 }
 
 std::vector<double> Novelty::of(const signal::WindowSet& windows) const {
-  const BandPowers tested = band_powers(windows);
+  const FeatureRows tested = band_powers(windows);
   std::vector<double> all;
   all.reserve(windows.size());
   for (Index begin = 0; begin < tested.rows(); begin += Neighbours::at_a_time) {

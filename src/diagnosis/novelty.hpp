@@ -37,7 +37,7 @@ class Novelty {
           const signal::DatasetInfo& info);
 
  private:
-  Novelty(BandPowers bands, std::vector<Label> labels, std::vector<std::int32_t> groups);
+  Novelty(FeatureRows bands, std::vector<Label> labels, std::vector<std::int32_t> groups);
   [[nodiscard]] double largest_left_out() const;
 
   std::vector<Label> labels_;

@@ -1,5 +1,8 @@
 #include "diagnosis/standardise.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -26,6 +29,26 @@ void require_varying(const signal::WindowSet& windows, const std::string& what) 
                     "a window needs two different samples or more: cut dead stretches out of the "
                     "recordings");
   }
+}
+
+void require_length(const signal::WindowSet& windows, std::size_t trained,
+                    const std::string& what) {
+  if (windows.length == trained) return;
+  throw Error(Exit::bad_input,
+              fmt::format("{}: windows of {} samples, but the training windows have {}; both "
+                          "must be the same: give files of one split",
+                          what, windows.length, trained));
+}
+
+void require_speeds(const signal::WindowSet& training, const std::string& input) {
+  if (std::ranges::none_of(training.shaft_speed_rpm, [](double rpm) { return std::isnan(rpm); })) {
+    return;
+  }
+  throw Error(Exit::bad_input,
+              fmt::format("--generated: the windows lack shaft speeds, which {} needs in a dataset "
+                          "with several speeds; use a method that stores them, such as "
+                          "strike-twin or piae-dt-zero, or another --classifier",
+                          input));
 }
 
 LabelledWindows standardise(const signal::WindowSet& windows, const std::string& what) {

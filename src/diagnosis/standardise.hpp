@@ -28,6 +28,14 @@ void standardise(std::span<const float> values, float* to);
 /// error, such as "--test".
 void require_varying(const signal::WindowSet& windows, const std::string& what);
 
+/// Throws Error(bad_input) for windows that do not have as many samples as those of the training.
+/// `what` names the set in the error.
+void require_length(const signal::WindowSet& windows, std::size_t trained, const std::string& what);
+
+/// Throws Error(bad_input) if the speed of a generated window is not known (NaN, training_set.hpp).
+/// `input` names in the error what needs the speeds.
+void require_speeds(const signal::WindowSet& training, const std::string& input);
+
 /// Subtracts the mean from each window and divides it by its standard deviation (the root of the
 /// mean of its squares), so that gain and offset of a recording do not reveal its class. `what`
 /// names the set in errors, such as "--test". Throws Error(bad_input) for a constant window.

@@ -1,10 +1,8 @@
 #include "diagnosis/symptom_inputs.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "base/error.hpp"
+#include "diagnosis/standardise.hpp"
 
 namespace piae::diagnosis {
 
@@ -25,16 +23,6 @@ signal::WindowSet fault_windows(const signal::WindowSet& training) {
     if (training.labels[i] != healthy) faults.append(training, i);
   }
   return faults;
-}
-
-void require_speeds(const signal::WindowSet& faults) {
-  if (std::ranges::none_of(faults.shaft_speed_rpm, [](double rpm) { return std::isnan(rpm); })) {
-    return;
-  }
-  throw Error(Exit::bad_input,
-              "--generated: the windows lack shaft speeds, which symptom-net needs in a dataset "
-              "with several speeds; use a method that stores them, such as strike-twin or "
-              "piae-dt-zero, or another --classifier");
 }
 
 auto row(const symptoms::Symptoms& symptoms) {
@@ -62,7 +50,7 @@ SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::Window
                            const std::vector<Measures>& of_normal)
     : baselines_(normal, of_normal), labels_(normal.labels) {
   const signal::WindowSet faults = fault_windows(training);
-  require_speeds(faults);
+  require_speeds(faults, "symptom-net");
   const SymptomRows healthy = symptom_rows(
       normal, of_normal, baselines_, [&](const symptoms::Baseline& /*baseline*/, std::size_t i) {
         return baselines_.left_out(i);

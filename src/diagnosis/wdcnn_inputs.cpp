@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -13,9 +12,6 @@ namespace piae::diagnosis {
 
 namespace {
 
-using Spectrum = Eigen::ArrayXd (*)(const scoring::Windows& window, Eigen::Index least_bands,
-                                    double floor);
-
 void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spectrum) {
   const Eigen::ArrayXf bands = spectrum.cast<float>();
   const auto begin = static_cast<std::ptrdiff_t>(samples.size());
@@ -25,12 +21,25 @@ void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spec
               samples.data() + begin);
 }
 
-/// Returns the given spectra of each window one after another, all with the same number of bands.
-LabelledWindows represent(const signal::WindowSet& windows, const std::string& what,
-                          std::initializer_list<Spectrum> spectra) {
+Eigen::ArrayXd of_waveform(const scoring::Windows& window, double /*turns*/, Eigen::Index points,
+                           double floor) {
+  return log_spectrum(window, points, floor);
+}
+
+Eigen::ArrayXd of_envelope(const scoring::Windows& window, double /*turns*/, Eigen::Index points,
+                           double floor) {
+  return log_envelope_spectrum(window, points, floor);
+}
+
+}  // namespace
+
+Eigen::Index spectral_inputs(const signal::WindowSet& windows) {
+  return std::max(static_cast<Eigen::Index>(windows.length), WdcnnLayers::shortest_window);
+}
+
+LabelledWindows side_by_side(const signal::WindowSet& windows, const std::string& what,
+                             const std::vector<SpectrumInput>& spectra) {
   require_varying(windows, what);
-  const auto inputs =
-      std::max(static_cast<Eigen::Index>(windows.length), WdcnnLayers::shortest_window);
   LabelledWindows seen;
   seen.classes = windows.info.classes.size();
   seen.labels = windows.labels;
@@ -40,28 +49,27 @@ LabelledWindows represent(const signal::WindowSet& windows, const std::string& w
                                         samples.data(), static_cast<Eigen::Index>(samples.size()))
                                         .cast<double>();
     const double floor = amplitude_floor * root_mean_square(window);
-    for (const Spectrum spectrum : spectra) {
-      append_standardised(
-          seen.samples,
-          spectrum(window, inputs / static_cast<Eigen::Index>(spectra.size()), floor));
+    const double duration_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
+    const double turns = windows.speed_rpm(i) / 60 * duration_s;
+    for (const SpectrumInput& each : spectra) {
+      append_standardised(seen.samples, each.spectrum(window, turns, each.points, floor));
     }
     if (i == 0) seen.length = seen.samples.size();
   }
   return seen;
 }
 
-}  // namespace
-
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what) {
-  return represent(windows, what, {log_spectrum});
+  return side_by_side(windows, what, {{of_waveform, spectral_inputs(windows)}});
 }
 
 LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std::string& what) {
-  return represent(windows, what, {log_envelope_spectrum});
+  return side_by_side(windows, what, {{of_envelope, spectral_inputs(windows)}});
 }
 
 LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what) {
-  return represent(windows, what, {log_spectrum, log_envelope_spectrum});
+  const Eigen::Index half = spectral_inputs(windows) / 2;
+  return side_by_side(windows, what, {{of_waveform, half}, {of_envelope, half}});
 }
 
 }  // namespace piae::diagnosis

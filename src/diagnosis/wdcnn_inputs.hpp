@@ -1,10 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "diagnosis/classifier.hpp"
 #include "diagnosis/standardise.hpp"
 #include "scoring/diagnosis_record.hpp"
+#include "scoring/windows.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -15,6 +18,21 @@ namespace piae::diagnosis {
 // spectrum becomes all zeros. There are at least as many inputs as a window has samples, and at
 // least as many as the network needs: 1024 for windows of up to 1024 samples that divide it. `what`
 // names the set in errors. All throw Error(bad_input) for a constant window, as standardise() does.
+
+/// A spectrum of a window in which the shaft makes `turns` turns, with `points` numbers, or at
+/// least as many; `floor` is above 0.
+struct SpectrumInput {
+  Eigen::ArrayXd (*spectrum)(const scoring::Windows& window, double turns, Eigen::Index points,
+                             double floor);
+  Eigen::Index points;
+};
+
+/// Returns the spectra of each window one after another, each scaled separately.
+LabelledWindows side_by_side(const signal::WindowSet& windows, const std::string& what,
+                             const std::vector<SpectrumInput>& spectra);
+
+/// Returns the number of inputs that windows of this length need.
+Eigen::Index spectral_inputs(const signal::WindowSet& windows);
 
 /// Returns the log_spectrum() of each window.
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what);

@@ -56,8 +56,8 @@ Lists lists_of_verdicts() {
   return lists;
 }
 
-/// Returns all groups, and their methods with all inputs of a WDCNN and with the baseline, at the
-/// ratio with the most generated windows.
+/// Returns all groups, and their methods with all inputs that a group names and with the baseline,
+/// at the ratio with the most generated windows.
 Lists lists_of_transfer(const Experiment& experiment) {
   if (experiment.groups.empty()) {
     throw Error(Exit::usage,
@@ -67,9 +67,15 @@ Lists lists_of_transfer(const Experiment& experiment) {
   Lists defaults;
   std::set<std::string> methods;
   std::set<std::string> datasets;
+  std::set<std::string> classifiers{diagnosis::reference_classifier};
   for (const settings::Group& group : experiment.groups) {
     datasets.insert(group.datasets.begin(), group.datasets.end());
     for (const std::string& input : group.inputs) methods.insert(input.substr(0, input.find('=')));
+    for (const auto* const inputs : {&group.inputs, &group.type_inputs}) {
+      for (const std::string& input : *inputs) {
+        classifiers.insert(input.substr(input.find('=') + 1));
+      }
+    }
   }
   for (const Dataset& dataset : experiment.datasets) {
     if (datasets.contains(dataset.name)) defaults.datasets.push_back(dataset.name);
@@ -82,10 +88,7 @@ Lists lists_of_transfer(const Experiment& experiment) {
   }
   defaults.ratios.emplace_back(scoring::all_ratios().back().name);
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
-    const bool is_wdcnn = classifier.represent != nullptr;
-    if (is_wdcnn || std::string(classifier.name) == diagnosis::reference_classifier) {
-      defaults.classifiers.emplace_back(classifier.name);
-    }
+    if (classifiers.contains(classifier.name)) defaults.classifiers.emplace_back(classifier.name);
   }
   return defaults;
 }

@@ -28,7 +28,7 @@ TEST(BandPowers, ToneGivesHighestBandAtItsFrequency) {
   for (int t = 0; t < 1024; ++t) {
     tone.push_back(static_cast<float>(std::sin(2 * std::numbers::pi * 102 * t / 1024)));
   }
-  const BandPowers bands = band_powers(one_window(tone));
+  const FeatureRows bands = band_powers(one_window(tone));
   ASSERT_EQ(bands.rows(), 1);
   ASSERT_EQ(bands.cols(), 128);
   Eigen::Index highest = 0;
@@ -41,7 +41,7 @@ TEST(BandPowers, ToneGivesHighestBandAtItsFrequency) {
 TEST(BandPowers, ImpulseGivesFlatBandsWithZeroMean) {
   std::vector<float> impulse(1024);
   impulse[300] = 5;
-  const BandPowers bands = band_powers(one_window(impulse));
+  const FeatureRows bands = band_powers(one_window(impulse));
   EXPECT_NEAR(bands.row(0).sum(), 0, 1e-9);
   for (Eigen::Index band = 2; band < 128; ++band) EXPECT_NEAR(bands(0, band), bands(0, 1), 1e-6);
   EXPECT_NEAR(bands(0, 0), -127 * bands(0, 1), 1e-6);
@@ -53,7 +53,7 @@ TEST(BandPowers, IgnoreLevelAndOffset) {
   for (float& sample : low_level) sample = static_cast<float>(stream.normal(0, 1));
   std::vector<float> high_level = low_level;
   for (float& sample : high_level) sample = 64 * sample + 100;
-  const BandPowers difference =
+  const FeatureRows difference =
       band_powers(one_window(low_level)) - band_powers(one_window(high_level));
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-3);
 }
@@ -64,16 +64,16 @@ TEST(BandPowers, NeedTwoBinsPerBand) {
                "windows of 255 samples: 128 bands need 256 samples or more");
 }
 
-BandPowers random_bands(Eigen::Index rows, const std::string& stream_name) {
+FeatureRows random_bands(Eigen::Index rows, const std::string& stream_name) {
   Stream stream(stream_name);
-  BandPowers bands(rows, number_of_bands);
+  FeatureRows bands(rows, number_of_bands);
   for (Eigen::Index i = 0; i < bands.size(); ++i) bands.data()[i] = stream.normal(0, 3);
   return bands;
 }
 
 TEST(Neighbours, DistanceIsTheSumOfSquares) {
-  const BandPowers known = random_bands(5, "known");
-  const BandPowers tested = random_bands(3, "asked");
+  const FeatureRows known = random_bands(5, "known");
+  const FeatureRows tested = random_bands(3, "asked");
   const Neighbours neighbours(known);
   EXPECT_EQ(neighbours.known(), known);
   const Eigen::MatrixXd squares = neighbours.squared_distances(tested);
@@ -91,7 +91,7 @@ TEST(Neighbours, DistanceIsTheSumOfSquares) {
 }
 
 TEST(Neighbours, DistanceIsNeverNegative) {
-  const BandPowers known = random_bands(20, "known");
+  const FeatureRows known = random_bands(20, "known");
   const Eigen::MatrixXd squares = Neighbours(known).squared_distances(known);
   EXPECT_GE(squares.minCoeff(), 0);
   EXPECT_LT(squares.diagonal().maxCoeff(), 1e-9);
@@ -110,7 +110,7 @@ class StoredBands : public testing::Test {
   }
 
   const Folder folder_;
-  BandPowers bands_{2, number_of_bands};
+  FeatureRows bands_{2, number_of_bands};
 };
 
 TEST_F(StoredBands, AreReadAsWritten) {

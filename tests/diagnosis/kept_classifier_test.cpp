@@ -219,12 +219,14 @@ TEST_F(Keep, RefusesAClassifierThatCannotPredict) {
   const auto length = [](std::int64_t samples) {
     return [=](hid_t open) { stages::replace_attribute(open, "/", "window_length", samples); };
   };
-  for (const std::string name : {"wdcnn", "wdcnn-spectrum"}) {
+  for (const std::string name : {"wdcnn", "wdcnn-spectrum", "wdcnn-orders"}) {
     expect_refused(name, "cannot classify a window: WDCNN: ", length(2048));
   }
-  // Half a turn of the shaft cannot separate the lines, and 255 samples do not give 128 bands.
+  // Half a turn of the shaft cannot separate the lines, and 255 samples are too few for 128 bands.
   expect_refused("envelope-rule", "cannot classify a window: ", length(200));
-  expect_refused("nearest", "cannot classify a window: windows of 255 samples", length(255));
+  for (const std::string name : {"nearest", "nearest-orders", "prototypes"}) {
+    expect_refused(name, "cannot classify a window: windows of 255 samples", length(255));
+  }
   const auto weights = [](const std::string& path) {
     return [=](hid_t open) {
       stages::change_numbers<float>(open, path, [](auto& all) { std::ranges::fill(all, 3e38F); });
@@ -235,6 +237,8 @@ TEST_F(Keep, RefusesAClassifierThatCannotPredict) {
                  weights("/learned/conv1/weight"));
   expect_refused("symptom-net", "gives NaN or infinite outputs for a window",
                  weights("/learned/classes/0/weight"));
+  expect_refused("prototypes", "gives NaN or infinite outputs for a window",
+                 weights("/learned/embedding/1/weight"));
 }
 
 }  // namespace

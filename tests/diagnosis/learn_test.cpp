@@ -54,15 +54,19 @@ TEST_F(Learn, OtherClassifiersHaveTheirOwnStream) {
 }
 
 TEST_F(Learn, NearestPredictsWithoutTraining) {
-  const Learned nearest = by("nearest");
-  EXPECT_EQ(most_likely(nearest.trained->outputs(test_, "").scores, 3), test_.labels);
-  EXPECT_TRUE(nearest.training.loss.empty());
-  EXPECT_EQ(nearest.training.seconds, 0);
+  for (const std::string name : {"nearest", "nearest-orders"}) {
+    const Learned nearest = by(name);
+    EXPECT_EQ(most_likely(nearest.trained->outputs(test_, "").scores, 3), test_.labels) << name;
+    EXPECT_TRUE(nearest.training.loss.empty()) << name;
+    EXPECT_EQ(nearest.training.seconds, 0) << name;
+  }
 }
 
 TEST_F(Learn, OnlyWdcnnUsesTheEpochsOption) {
   EXPECT_EQ(epochs_of(the_classifier("wdcnn-envelope"), {.epochs = 3}), 3);
+  EXPECT_EQ(epochs_of(the_classifier("wdcnn-orders"), {.epochs = 3}), 3);
   EXPECT_EQ(epochs_of(the_classifier("symptom-net"), {.epochs = 3}), 60);
+  EXPECT_EQ(epochs_of(the_classifier("prototypes"), {.epochs = 3}), 50);
   EXPECT_EQ(epochs_of(the_classifier("exclusion-rule"), {.epochs = 3}), 0);
   EXPECT_EQ(epochs_of(the_classifier("nearest"), {.epochs = 3}), 0);
 }

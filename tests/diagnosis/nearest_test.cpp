@@ -57,7 +57,7 @@ TEST(Nearest, SilentWindowsGiveFiniteDistances) {
 TEST(Nearest, ScoresThePredictedClassOnlyAndHasHalfSquaredDistancesAsLogits) {
   const signal::WindowSet training = ringing("training", 2);
   const Outputs outputs = Nearest(training).outputs(training, "");
-  const BandPowers bands = band_powers(training);
+  const FeatureRows bands = band_powers(training);
   EXPECT_EQ(std::vector<float>(outputs.scores.begin(), outputs.scores.begin() + 3),
             (std::vector<float>{1, 0, 0}));
   EXPECT_NEAR(outputs.logits[0], 0, 1e-6);

@@ -18,7 +18,7 @@ namespace {
 
 using signal::WindowSet;
 
-double distance(const BandPowers& a, Eigen::Index i, const BandPowers& b, Eigen::Index j) {
+double distance(const FeatureRows& a, Eigen::Index i, const FeatureRows& b, Eigen::Index j) {
   return std::sqrt((a.row(i) - b.row(j)).squaredNorm());
 }
 
@@ -36,8 +36,8 @@ class NoveltyOfToys : public testing::Test {
   }
 
   /// Returns the distance of a window to the nearest reference window whose label is not `but`.
-  [[nodiscard]] double nearest(const BandPowers& windows, Eigen::Index i, Label but) const {
-    const BandPowers bands = band_powers(reference_);
+  [[nodiscard]] double nearest(const FeatureRows& windows, Eigen::Index i, Label but) const {
+    const FeatureRows bands = band_powers(reference_);
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < bands.rows(); ++j) {
       if (reference_.labels[static_cast<std::size_t>(j)] == but) continue;
@@ -46,7 +46,7 @@ class NoveltyOfToys : public testing::Test {
     return least;
   }
   [[nodiscard]] double threshold(Label but) const {
-    const BandPowers bands = band_powers(reference_);
+    const FeatureRows bands = band_powers(reference_);
     double largest = 0;
     for (Eigen::Index i = 0; i < bands.rows(); ++i) {
       if (reference_.labels[static_cast<std::size_t>(i)] == but) continue;
@@ -63,7 +63,7 @@ class NoveltyOfToys : public testing::Test {
   }
   void expect_by_hand(const Novelty& novelty, Label but) const {
     const std::vector<double> all = novelty.of(tested_);
-    const BandPowers tested = band_powers(tested_);
+    const FeatureRows tested = band_powers(tested_);
     ASSERT_EQ(all.size(), 74U);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double expected = nearest(tested, static_cast<Eigen::Index>(i), but) / threshold(but);
@@ -93,7 +93,7 @@ TEST_F(NoveltyOfToys, LeavesOutWhatIsCloseInTime) {
   reference.append(reference_, 0);
   reference.append(reference_, 2);
   reference.append(reference_, 2);
-  const BandPowers bands = band_powers(reference);
+  const FeatureRows bands = band_powers(reference);
   const double between = distance(bands, 0, bands, 2);
   WindowSet tested = empty_set(1024);
   tested.append(tested_, 1);

@@ -83,8 +83,8 @@ TEST_F(Classifiers, PapersClassifierIsTheDefaultAndNotNamedInItsFile) {
 
 TEST_F(Classifiers, AreReproducibleAndHaveTheirOwnStreams) {
   std::set<std::vector<float>> scores;
-  for (const std::string name :
-       {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "symptom-net"}) {
+  for (const std::string name : {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra",
+                                 "symptom-net", "wdcnn-orders", "prototypes"}) {
     (void)run_well(diagnose_by(name));
     const std::string first = bytes_of(name + ".h5");
     (void)run_well(diagnose_by(name));
@@ -110,7 +110,7 @@ TEST_F(Classifiers, UnknownNamesAreRefused) {
 }
 
 TEST_F(Classifiers, WithoutLayersRefuseToKeepFeatures) {
-  for (const std::string name : {"nearest", "exclusion-rule"}) {
+  for (const std::string name : {"nearest", "nearest-orders", "exclusion-rule"}) {
     Arguments arguments = diagnose_by(name);
     arguments.emplace_back("--keep-features");
     expect_refusal(tiny_.run("diagnose", arguments), "diagnose", 2, {"--keep-features", name});
@@ -155,7 +155,7 @@ TEST_F(Classifiers, RulesNeedWindowsThatSeparateTheLines) {
   }
 }
 
-TEST_F(Classifiers, SymptomNetNeedsTheSpeedOfGeneratedWindows) {
+TEST_F(Classifiers, SymptomNetAndOrdersNeedTheSpeedOfGeneratedWindows) {
   tiny_.write("tiny.toml",
               tiny_description +
                   "[[simulation.condition]]\nname = \"fast\"\nshaft_speed_rpm = 1797\n"
@@ -171,15 +171,17 @@ TEST_F(Classifiers, SymptomNetNeedsTheSpeedOfGeneratedWindows) {
                   .status,
               0);
     ASSERT_EQ(tiny_.run_step("generate").status, 0);
-    const Arguments diagnose = with(diagnose_by("symptom-net"), "--output", method + ".h5");
-    if (method == "strike-twin") {
-      (void)run_well(diagnose);
-    } else {
+    for (const std::string name : {"symptom-net", "nearest-orders", "wdcnn-orders"}) {
+      const Arguments diagnose = with(diagnose_by(name), "--output", method + ".h5");
+      if (method == "strike-twin") {
+        (void)run_well(diagnose);
+        continue;
+      }
       expect_refusal(tiny_.run("diagnose", diagnose), "diagnose", 65,
                      {"--generated: the windows lack shaft speeds"});
       EXPECT_FALSE(fs::exists(tiny_ / "smote.h5"));
-      (void)run_well(with(diagnose_by("nearest"), "--output", method + ".h5"));
     }
+    if (method == "smote") (void)run_well(with(diagnose_by("nearest"), "--output", "smote.h5"));
   }
 }
 
@@ -194,7 +196,8 @@ TEST_F(Classifiers, SpectraAcceptWindowsTooShortForTheWaveform) {
   };
   expect_refusal(tiny_.run("diagnose", known_alone("wdcnn")), "diagnose", 65,
                  {"512 samples are too short", "at least 1024"});
-  for (const std::string name : {"wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "nearest"}) {
+  for (const std::string name : {"wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra", "nearest",
+                                 "wdcnn-orders", "nearest-orders", "prototypes"}) {
     (void)run_well(known_alone(name));
   }
 }
