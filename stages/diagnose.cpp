@@ -23,8 +23,8 @@ int main(int argc, char** argv) {
       "unit standard deviation. WDCNN keeps the model of the last epoch; the test windows never "
       "select a model. nearest is not trained: it predicts the class of the nearest of these "
       "windows. envelope-rule and exclusion-rule compare fault lines and spectra with the "
-      "healthy windows only. symptom-net is a network on these symptoms, and prototypes one on "
-      "bands, with settings of their own.",
+      "healthy windows only. symptom-net and prototypes are small networks with settings of their "
+      "own.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::WdcnnOptions options;

@@ -5,7 +5,7 @@
 #include "base/comma_list.hpp"
 #include "base/error.hpp"
 #include "diagnosis/line_rules.hpp"
-#include "diagnosis/order_inputs.hpp"
+#include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/prototypes.hpp"
 #include "diagnosis/symptom_net.hpp"
 #include "diagnosis/wdcnn_inputs.hpp"

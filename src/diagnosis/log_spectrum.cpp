@@ -1,12 +1,8 @@
 #include "diagnosis/log_spectrum.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "spectra/bands.hpp"
 #include "spectra/power.hpp"
 
 namespace piae::diagnosis {
@@ -15,9 +11,6 @@ namespace {
 
 using Eigen::ArrayXd;
 using Eigen::Index;
-
-constexpr Index shortest_for_log_frequency = 256;
-constexpr double lowest_cycles = 4;  // in a window
 
 /// Numbers per cycle per window of a spectrum that has as many bands as the window samples.
 constexpr double bands_of_a_cycle = 2;
@@ -51,22 +44,9 @@ Eigen::ArrayXd log_envelope_spectrum(const scoring::Windows& window, Eigen::Inde
   return log_spectrum(spectra::envelopes(window), least_bands, floor);
 }
 
-Eigen::ArrayXd log_frequency_spectrum(const scoring::Windows& window, Eigen::Index bands,
-                                      double floor) {
-  const Index length = window.cols();
-  if (length < shortest_for_log_frequency) {
-    throw Error(Exit::bad_input,
-                fmt::format("windows of {} samples: bands of log frequency need {} samples or more",
-                            length, shortest_for_log_frequency));
-  }
-  const ArrayXd power = (2 * log_spectrum(window, length, floor)).exp();
-  const ArrayXd cycles =
-      ArrayXd::LinSpaced(bands + 1, std::log(lowest_cycles),
-                         std::log(static_cast<double>(power.size()) / bands_of_a_cycle))
-          .exp();
-  // The first number is half a cycle and covers a quarter on either side.
-  const ArrayXd edges = (bands_of_a_cycle * cycles - 0.5).min(static_cast<double>(power.size()));
-  return spectra::fractional_band_means(power, edges).log() / 2;
+double shaft_turns(const signal::WindowSet& windows, std::size_t i) {
+  const double duration_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
+  return windows.speed_rpm(i) / 60 * duration_s;
 }
 
 Eigen::ArrayXd log_order_spectrum(const scoring::Windows& window, double turns, Eigen::Index orders,

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 #include "scoring/windows.hpp"
+#include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
 
@@ -30,13 +32,8 @@ Eigen::ArrayXd log_spectrum(const scoring::Windows& window, Eigen::Index least_b
 Eigen::ArrayXd log_envelope_spectrum(const scoring::Windows& window, Eigen::Index least_bands,
                                      double floor);
 
-/// Returns the logarithm of the amplitude of one window of N samples in `bands` bands, equally wide
-/// in log frequency, from 4 / N to half of the sample rate. At lower frequencies a window has too
-/// few periods. The amplitude of a band is the root mean square of those of log_spectrum(), half a
-/// cycle per window apart; a band narrower than that takes its part of one. Throws Error(bad_input)
-/// for windows shorter than 256 samples.
-Eigen::ArrayXd log_frequency_spectrum(const scoring::Windows& window, Eigen::Index bands,
-                                      double floor);
+/// Returns the turns that the shaft makes in a window, at the window's own speed.
+double shaft_turns(const signal::WindowSet& windows, std::size_t i);
 
 /// Lowest and highest order of log_order_spectrum(). A cage has an order of about 0.4, and the
 /// second harmonics of the inner race's line lie below 20 in most bearings.

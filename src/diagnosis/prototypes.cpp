@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/standardise.hpp"
 #include "nets/stored_parameters.hpp"
 
@@ -19,7 +20,7 @@ constexpr auto prototypes_dataset = "/prototypes";
 
 const std::vector<nets::ParameterSpec>& embedding_specs() {
   static const std::vector<nets::ParameterSpec> specs =
-      nets::dense_chain_specs("embedding", number_of_bands, PrototypeTraining::embedding,
+      nets::dense_chain_specs("embedding", by_orders.columns, PrototypeTraining::embedding,
                               {.depth = 2, .width = static_cast<int>(PrototypeTraining::hidden)});
   return specs;
 }
@@ -103,7 +104,7 @@ void Prototypes::run_epoch(const FeatureRows& rows,
 Training Prototypes::train(const signal::WindowSet& training, const Stream& stream,
                            const EpochDone& epoch_done) {
   const std::vector<std::vector<std::size_t>> windows_of = windows_of_classes(training);
-  const FeatureRows rows = band_powers(training);
+  const FeatureRows rows = order_features(training, "training set");
   Training course;
   const auto start = std::chrono::steady_clock::now();
   for (std::int64_t epoch = 1; epoch <= PrototypeTraining::epochs; ++epoch) {
@@ -117,7 +118,7 @@ Training Prototypes::train(const signal::WindowSet& training, const Stream& stre
 
 Outputs Prototypes::outputs(const signal::WindowSet& windows, const std::string& what) {
   require_length(windows, length_, what);
-  const Embeddings embedded = embed(band_powers(windows));
+  const Embeddings embedded = embed(order_features(windows, what));
   const nets::RowArray<float> logits = distance_logits(embedded, prototypes_).cast<float>();
   const nets::RowArray<float> hidden = embedded.cast<float>();
   Outputs all{.hidden = {hidden.data(), hidden.data() + hidden.size()},

@@ -26,8 +26,10 @@ struct PrototypeTraining {
 
 /// A prototypical network (Snell, Swersky and Zemel 2017), made for classes with few windows: a
 /// dense layer of 64 with ReLU and one of 32 embed a window, and the nearest prototype, a mean
-/// embedding of a class, predicts it. The input is band_powers(), as of Nearest: so the difference
-/// between both is the learned distance, and 128 inputs keep a training within a second.
+/// embedding of a class, predicts it. The input is that of nearest-orders: so the difference
+/// between both is the learned distance, and 224 inputs keep a training below a second. With
+/// band_powers() alone the mean accuracy on HIT-SM's pairs of speeds is 57 instead of 72 % (seeds
+/// 100 to 104, none).
 class Prototypes final : public Trained {
  public:
   /// Makes an untrained network, for windows of `length` samples. Initial values come from the
@@ -37,7 +39,7 @@ class Prototypes final : public Trained {
 
   /// Trains by episodes and sets the prototypes to the mean embeddings of all training windows.
   /// Episodes of epoch e, counted from 1, come from stream.child("epoch<e>"). Throws
-  /// Error(bad_input) if a class has no window or none has two, and as band_powers() does.
+  /// Error(bad_input) if a class has no window or none has two, and as order_features() does.
   Training train(const signal::WindowSet& training, const Stream& stream,
                  const EpochDone& epoch_done);
 
@@ -72,7 +74,7 @@ std::unique_ptr<Trained> read_prototypes(const artefact::Reader& reader,
 inline constexpr Classifier prototypes{
     .name = "prototypes",
     .what = "the nearest mean of a class, in an embedding learned by episodes",
-    .input = "the log power in 128 bands",
+    .input = "the log power in 128 bands, and that of the envelope at 96 shaft orders",
     .learn = train_prototypes,
     .read = read_prototypes,
     .own_epochs = PrototypeTraining::epochs};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,20 @@ namespace piae::diagnosis {
 
 namespace {
 
+/// A spectrum of a window in which the shaft makes `turns`, with at least so many bands.
+using Spectrum = Eigen::ArrayXd (*)(const scoring::Windows& window, double turns,
+                                    Eigen::Index least_bands, double floor);
+
+Eigen::ArrayXd of_waveform(const scoring::Windows& window, double /*turns*/,
+                           Eigen::Index least_bands, double floor) {
+  return log_spectrum(window, least_bands, floor);
+}
+
+Eigen::ArrayXd of_envelope(const scoring::Windows& window, double /*turns*/,
+                           Eigen::Index least_bands, double floor) {
+  return log_envelope_spectrum(window, least_bands, floor);
+}
+
 void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spectrum) {
   const Eigen::ArrayXf bands = spectrum.cast<float>();
   const auto begin = static_cast<std::ptrdiff_t>(samples.size());
@@ -21,25 +36,12 @@ void append_standardised(std::vector<float>& samples, const Eigen::ArrayXd& spec
               samples.data() + begin);
 }
 
-Eigen::ArrayXd of_waveform(const scoring::Windows& window, double /*turns*/, Eigen::Index points,
-                           double floor) {
-  return log_spectrum(window, points, floor);
-}
-
-Eigen::ArrayXd of_envelope(const scoring::Windows& window, double /*turns*/, Eigen::Index points,
-                           double floor) {
-  return log_envelope_spectrum(window, points, floor);
-}
-
-}  // namespace
-
-Eigen::Index spectral_inputs(const signal::WindowSet& windows) {
-  return std::max(static_cast<Eigen::Index>(windows.length), WdcnnLayers::shortest_window);
-}
-
-LabelledWindows side_by_side(const signal::WindowSet& windows, const std::string& what,
-                             const std::vector<SpectrumInput>& spectra) {
+/// Returns the given spectra of each window one after another, all with the same number of bands.
+LabelledWindows represent(const signal::WindowSet& windows, const std::string& what,
+                          std::initializer_list<Spectrum> spectra) {
   require_varying(windows, what);
+  const auto inputs =
+      std::max(static_cast<Eigen::Index>(windows.length), WdcnnLayers::shortest_window);
   LabelledWindows seen;
   seen.classes = windows.info.classes.size();
   seen.labels = windows.labels;
@@ -49,27 +51,33 @@ LabelledWindows side_by_side(const signal::WindowSet& windows, const std::string
                                         samples.data(), static_cast<Eigen::Index>(samples.size()))
                                         .cast<double>();
     const double floor = amplitude_floor * root_mean_square(window);
-    const double duration_s = static_cast<double>(windows.length) / windows.info.sample_rate_hz;
-    const double turns = windows.speed_rpm(i) / 60 * duration_s;
-    for (const SpectrumInput& each : spectra) {
-      append_standardised(seen.samples, each.spectrum(window, turns, each.points, floor));
+    for (const Spectrum spectrum : spectra) {
+      append_standardised(seen.samples,
+                          spectrum(window, shaft_turns(windows, i),
+                                   inputs / static_cast<Eigen::Index>(spectra.size()), floor));
     }
     if (i == 0) seen.length = seen.samples.size();
   }
   return seen;
 }
 
+}  // namespace
+
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what) {
-  return side_by_side(windows, what, {{of_waveform, spectral_inputs(windows)}});
+  return represent(windows, what, {of_waveform});
 }
 
 LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std::string& what) {
-  return side_by_side(windows, what, {{of_envelope, spectral_inputs(windows)}});
+  return represent(windows, what, {of_envelope});
 }
 
 LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what) {
-  const Eigen::Index half = spectral_inputs(windows) / 2;
-  return side_by_side(windows, what, {{of_waveform, half}, {of_envelope, half}});
+  return represent(windows, what, {of_waveform, of_envelope});
+}
+
+LabelledWindows spectra_by_order(const signal::WindowSet& windows, const std::string& what) {
+  require_speeds(windows, "a spectrum over orders");
+  return represent(windows, what, {of_waveform, log_order_spectrum});
 }
 
 }  // namespace piae::diagnosis

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
-#include <vector>
 
 #include "diagnosis/classifier.hpp"
 #include "diagnosis/standardise.hpp"
 #include "scoring/diagnosis_record.hpp"
-#include "scoring/windows.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
@@ -19,21 +16,6 @@ namespace piae::diagnosis {
 // least as many as the network needs: 1024 for windows of up to 1024 samples that divide it. `what`
 // names the set in errors. All throw Error(bad_input) for a constant window, as standardise() does.
 
-/// A spectrum of a window in which the shaft makes `turns` turns, with `points` numbers, or at
-/// least as many; `floor` is above 0.
-struct SpectrumInput {
-  Eigen::ArrayXd (*spectrum)(const scoring::Windows& window, double turns, Eigen::Index points,
-                             double floor);
-  Eigen::Index points;
-};
-
-/// Returns the spectra of each window one after another, each scaled separately.
-LabelledWindows side_by_side(const signal::WindowSet& windows, const std::string& what,
-                             const std::vector<SpectrumInput>& spectra);
-
-/// Returns the number of inputs that windows of this length need.
-Eigen::Index spectral_inputs(const signal::WindowSet& windows);
-
 /// Returns the log_spectrum() of each window.
 LabelledWindows log_spectra(const signal::WindowSet& windows, const std::string& what);
 
@@ -43,6 +25,11 @@ LabelledWindows log_envelope_spectra(const signal::WindowSet& windows, const std
 /// Returns both side by side, the log_spectrum() first, each with half of the inputs and scaled
 /// separately.
 LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::string& what);
+
+/// Returns the log_spectrum() of each window and next to it the log_order_spectrum(), each with
+/// half of the inputs and scaled separately. Resonances keep their frequency at every speed, and
+/// lines keep their order. Throws also as require_speeds() does.
+LabelledWindows spectra_by_order(const signal::WindowSet& windows, const std::string& what);
 
 inline constexpr Classifier wdcnn{.name = scoring::paper_classifier,
                                   .what = "the paper's network",
@@ -61,5 +48,10 @@ inline constexpr Classifier wdcnn_spectra{
     .what = "the same network on both spectra side by side",
     .input = "the log amplitude spectrum and the log envelope spectrum",
     .represent = both_log_spectra};
+inline constexpr Classifier wdcnn_orders{
+    .name = "wdcnn-orders",
+    .what = "the same network on the spectrum and, over shaft orders, the envelope spectrum",
+    .input = "the log amplitude spectrum and the log envelope spectrum over shaft orders",
+    .represent = spectra_by_order};
 
 }  // namespace piae::diagnosis

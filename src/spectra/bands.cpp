@@ -71,22 +71,6 @@ Eigen::ArrayXd band_means(const Eigen::ArrayXd& power, const std::vector<Index>&
   return means;
 }
 
-Eigen::ArrayXd fractional_band_means(const Eigen::ArrayXd& power, const Eigen::ArrayXd& edges) {
-  Eigen::ArrayXd means(edges.size() - 1);
-  for (Index band = 0; band < means.size(); ++band) {
-    const double low = edges[band];
-    const double high = edges[band + 1];
-    double sum = 0;
-    for (auto bin = static_cast<Index>(low); bin < power.size(); ++bin) {
-      const auto begin = static_cast<double>(bin);
-      if (begin >= high) break;
-      sum += power[bin] * (std::min(begin + 1, high) - std::max(begin, low));
-    }
-    means[band] = sum / (high - low);
-  }
-  return means;
-}
-
 Eigen::ArrayXd spectral_shape_db(const Eigen::RowVectorXd& window) {
   std::vector<Index> edges;
   for (Index band = 0; band <= spectral_shape_bands; ++band) {

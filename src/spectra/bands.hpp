@@ -35,11 +35,6 @@ FilterBank filter_bank(double rate_hz, Eigen::Index length);
 /// Returns the mean power in each band. Band b covers the bins edges[b] .. edges[b + 1] - 1.
 Eigen::ArrayXd band_means(const Eigen::ArrayXd& power, const std::vector<Eigen::Index>& edges);
 
-/// Does the same with edges between bins: a bin covers the numbers from its index to the next, and
-/// a band takes the covered part of each. So a band may be narrower than a bin. Edges must ascend
-/// and lie from 0 to the number of bins.
-Eigen::ArrayXd fractional_band_means(const Eigen::ArrayXd& power, const Eigen::ArrayXd& edges);
-
 /// Number of bands of a spectrum's shape.
 inline constexpr Eigen::Index spectral_shape_bands = 48;
 

@@ -4,10 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "base/random.hpp"
-#include "support/errors.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -105,78 +103,11 @@ TEST(LogEnvelopeSpectrum, SteadyCarrierGivesTheFloor) {
   EXPECT_EQ(bands.maxCoeff(), std::log(1e-6));
 }
 
-/// Returns the amplitudes of a window half a cycle apart, from half a cycle on, by a sum over its
-/// samples instead of a fast transform.
-std::vector<double> amplitudes_by_sums(const scoring::Windows& window) {
-  const auto length = static_cast<double>(window.cols());
-  std::vector<double> amplitudes;
-  for (Index k = 1; k <= window.cols(); ++k) {
-    double real = 0;
-    double imaginary = 0;
-    for (Index t = 0; t < window.cols(); ++t) {
-      const auto at = static_cast<double>(t);
-      const double tapered =
-          (window(0, t) - window.mean()) * std::pow(std::sin(std::numbers::pi * at / length), 2);
-      const double angle = std::numbers::pi * static_cast<double>(k) * at / length;
-      real += tapered * std::cos(angle);
-      imaginary += tapered * std::sin(angle);
-    }
-    amplitudes.push_back(4 / length * std::hypot(real, imaginary));
-  }
-  return amplitudes;
-}
-
 scoring::Windows noise(Index length) {
-  Stream stream("log frequency");
+  Stream stream("noise");
   scoring::Windows window(1, length);
   for (double& sample : window.row(0)) sample = stream.normal(1, 2);
   return window;
-}
-
-// A band is integrated in 20,000 steps over frequency, each of which reads the nearest amplitude.
-TEST(LogFrequencySpectrum, IsTheRootMeanSquareInBandsOfEqualRatio) {
-  const scoring::Windows window = noise(256);
-  const std::vector<double> amplitudes = amplitudes_by_sums(window);
-  const Eigen::ArrayXd bands = log_frequency_spectrum(window, 24, 1e-9);
-  ASSERT_EQ(bands.size(), 24);
-  for (int band = 0; band < 24; ++band) {
-    const double low = 4 * std::pow(32, band / 24.0);  // from 4 to 128 cycles
-    const double high = 4 * std::pow(32, (band + 1) / 24.0);
-    double sum = 0;
-    for (int step = 0; step < 20'000; ++step) {
-      const double cycles = low + (step + 0.5) / 20'000 * (high - low);
-      const auto nearest = static_cast<std::size_t>(std::lround(2 * cycles)) - 1;
-      sum += amplitudes.at(nearest) * amplitudes.at(nearest);
-    }
-    ASSERT_NEAR(bands[band], std::log(sum / 20'000) / 2, 2e-3) << band;
-  }
-}
-
-TEST(LogFrequencySpectrum, ShiftsWithALineByTheLogarithmOfItsFrequency) {
-  const auto band_of = [](double cycles) {
-    Index highest = 0;
-    log_frequency_spectrum(sine(1024, cycles, 1), 128, 1e-9).maxCoeff(&highest);
-    return highest;
-  };
-  // 128 bands from 4 to 512 cycles: a doubling is 128 / 7 = 18.3 bands.
-  EXPECT_EQ(band_of(100), 84);  // log2(25) / 7 * 128 = 84.9
-  EXPECT_NEAR(static_cast<double>(band_of(200)), 103.2, 1);
-  EXPECT_NEAR(static_cast<double>(band_of(400)), 121.5, 1);
-}
-
-TEST(LogFrequencySpectrum, IsFiniteInBandsNarrowerThanABinAndForSilence) {
-  const Eigen::ArrayXd bands = log_frequency_spectrum(noise(1024), 512, 1e-9);
-  EXPECT_TRUE(bands.allFinite());
-  // The first band is from 4 to 4.04 cycles, within the number at 4 cycles.
-  EXPECT_NEAR(bands[0], std::log(amplitudes_by_sums(noise(1024))[7]), 1e-9);
-  const Eigen::ArrayXd silent = log_frequency_spectrum(sine(1024, 100, 0), 128, 0.5);
-  EXPECT_NEAR(silent.minCoeff(), std::log(0.5), 1e-12);
-  EXPECT_NEAR(silent.maxCoeff(), std::log(0.5), 1e-12);
-}
-
-TEST(LogFrequencySpectrum, RefusesShortWindows) {
-  EXPECT_ERROR(log_frequency_spectrum(noise(255), 128, 1e-9), Exit::bad_input,
-               "windows of 255 samples");
 }
 
 // The modulation of 12 cycles is the order 12 / turns. Orders are 0.5 apart.

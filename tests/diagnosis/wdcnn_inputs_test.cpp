@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -48,7 +49,8 @@ void expect_standardised(std::span<const float> inputs, const Eigen::ArrayXd& ba
 
 TEST(SpectralInputs, Have1024ValuesForAWindowOf1024Samples) {
   const signal::WindowSet set = two_of_noise(1024);
-  for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
+  for (auto* const represent :
+       {log_spectra, log_envelope_spectra, both_log_spectra, spectra_by_order}) {
     const LabelledWindows seen = represent(set, "--test");
     EXPECT_EQ(seen.length, 1024U);
     EXPECT_EQ(seen.samples.size(), 2048U);
@@ -60,7 +62,8 @@ TEST(SpectralInputs, Have1024ValuesForAWindowOf1024Samples) {
 TEST(SpectralInputs, AreLongEnoughForTheNetworkAtAnyWindowLength) {
   for (const std::size_t length : {512, 600, 1000, 1025, 2048, 4096, 8192}) {
     const signal::WindowSet set = two_of_noise(length);
-    for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
+    for (auto* const represent :
+         {log_spectra, log_envelope_spectra, both_log_spectra, spectra_by_order}) {
       const LabelledWindows seen = represent(set, "--test");
       EXPECT_GE(static_cast<std::int64_t>(seen.length), WdcnnLayers::shortest_window) << length;
       EXPECT_GE(seen.length + 1, length);
@@ -93,6 +96,26 @@ TEST(SpectralInputs, BothSpectraAreStandardisedSeparately) {
   }
 }
 
+// 1024 samples at 12 kHz are 2.56 turns at 1800 rpm, and 1.28 turns at 900 rpm.
+TEST(SpectralInputs, OrdersOfTheEnvelopeAreAtTheSpeedOfEachWindow) {
+  signal::WindowSet set = two_of_noise(1024);
+  set.shaft_speed_rpm = {1800, 900};
+  const LabelledWindows seen = spectra_by_order(set, "--test");
+  for (const std::size_t i : {0, 1}) {
+    const std::span<const float> inputs = std::span(seen.samples).subspan(1024 * i, 1024);
+    expect_standardised(inputs.first(512), log_spectrum(row_of(set, i), 512, 1e-9));
+    expect_standardised(inputs.last(512),
+                        log_order_spectrum(row_of(set, i), i == 0 ? 2.56 : 1.28, 512, 1e-9));
+  }
+}
+
+TEST(SpectralInputs, OrdersNeedASpeed) {
+  signal::WindowSet set = two_of_noise(1024);
+  set.shaft_speed_rpm = {1800, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_ERROR(spectra_by_order(set, "training set"), Exit::bad_input,
+               "--generated: the windows lack shaft speeds, which a spectrum over orders");
+}
+
 TEST(SpectralInputs, SilentBandIsFiniteAndIndependentOfTheGain) {
   signal::WindowSet set = empty_set(1024);
   for (const float gain : {1e-6F, 1e6F}) {
@@ -101,7 +124,8 @@ TEST(SpectralInputs, SilentBandIsFiniteAndIndependentOfTheGain) {
     }
   }
   set.labels = {1, 1};
-  for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
+  for (auto* const represent :
+       {log_spectra, log_envelope_spectra, both_log_spectra, spectra_by_order}) {
     const std::vector<float> seen = represent(set, "--test").samples;
     for (std::size_t i = 0; i < 1024; ++i) {
       ASSERT_TRUE(std::isfinite(seen[i])) << i;
@@ -115,7 +139,8 @@ TEST(SpectralInputs, SilentBandIsFiniteAndIndependentOfTheGain) {
 TEST(SpectralInputs, ConstantWindowIsRefused) {
   signal::WindowSet set = two_of_noise(1024);
   std::fill(set.samples.begin() + 1024, set.samples.end(), 4.0F);
-  for (auto* const represent : {log_spectra, log_envelope_spectra, both_log_spectra}) {
+  for (auto* const represent :
+       {log_spectra, log_envelope_spectra, both_log_spectra, spectra_by_order}) {
     EXPECT_ERROR(represent(set, "--known"), Exit::bad_input,
                  "--known: window 1 (class Normal) is constant");
   }

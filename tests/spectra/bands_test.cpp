@@ -54,18 +54,6 @@ TEST(BandMeans, AverageTheBinsBetweenEdges) {
   EXPECT_EQ(means[1], 4);
 }
 
-// By hand: half of 9 and a quarter of 1 over 0.75 bins; three quarters of 1, 3 and half of 2 over
-// 2.25; half of 2 over half a bin.
-TEST(BandMeans, TakePartsOfBinsBetweenFractionalEdges) {
-  const Eigen::ArrayXd power{{9, 1, 3, 2, 4}};
-  const Eigen::ArrayXd means = fractional_band_means(power, Eigen::ArrayXd{{0.5, 1.25, 3.5, 4}});
-  ASSERT_EQ(means.size(), 3);
-  EXPECT_NEAR(means[0], 4.75 / 0.75, 1e-12);
-  EXPECT_NEAR(means[1], 4.75 / 2.25, 1e-12);
-  EXPECT_NEAR(means[2], 2, 1e-12);
-  EXPECT_NEAR(fractional_band_means(power, Eigen::ArrayXd{{1, 3, 5}})[1], 3, 1e-12);
-}
-
 Eigen::RowVectorXd computed_row() {
   const std::vector<float> window = computed_window();
   return Eigen::Map<const Eigen::RowVectorXf>(window.data(), std::ssize(window)).cast<double>();

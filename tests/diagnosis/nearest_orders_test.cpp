@@ -1,7 +1,8 @@
-#include "diagnosis/order_inputs.hpp"
+#include "diagnosis/nearest_orders.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -48,11 +49,6 @@ scoring::Windows modulated_row(const signal::WindowSet& set, std::size_t i) {
       .cast<double>();
 }
 
-Eigen::ArrayXd standardised(const Eigen::ArrayXd& values) {
-  const Eigen::ArrayXd centred = values - values.mean();
-  return centred / std::sqrt(centred.square().mean());
-}
-
 std::vector<Label> named_by_orders(const signal::WindowSet& training,
                                    const signal::WindowSet& test) {
   return most_likely(learn_nearest_orders(training, training, Stream("unused"), {})
@@ -61,23 +57,23 @@ std::vector<Label> named_by_orders(const signal::WindowSet& training,
                      3);
 }
 
-// 2048 samples at 12 kHz and 1800 rpm are 5.12 turns.
-TEST(OrderFeatures, AreBothSpectraStandardisedWithEqualNorms) {
+// 2048 samples at 12 kHz and 1800 rpm are 5.12 turns. A power is twice an amplitude in logarithms.
+TEST(OrderFeatures, AreBandPowersAndWeightedPowersAtOrders) {
   const signal::WindowSet set = modulated_at(1800, "features", 1);
   const FeatureRows rows = order_features(set, "--test");
   ASSERT_EQ(rows.rows(), 2);
   ASSERT_EQ(rows.cols(), 224);
+  EXPECT_EQ(rows.leftCols(128), band_powers(set));
   for (const Eigen::Index i : {0, 1}) {
     const scoring::Windows window = modulated_row(set, static_cast<std::size_t>(i));
-    const double floor = 1e-5 * root_mean_square(window);
-    const Eigen::ArrayXd frequency = standardised(log_frequency_spectrum(window, 128, floor));
-    const Eigen::ArrayXd orders = standardised(log_order_spectrum(window, 5.12, 96, floor));
-    EXPECT_LT((rows.row(i).head(128).transpose().array() - frequency).abs().maxCoeff(), 1e-4);
-    EXPECT_LT(
-        (rows.row(i).tail(96).transpose().array() - std::sqrt(4.0 / 3) * orders).abs().maxCoeff(),
-        1e-4);
-    EXPECT_NEAR(rows.row(i).head(128).squaredNorm(), 128, 1e-3);
-    EXPECT_NEAR(rows.row(i).tail(96).squaredNorm(), 128, 1e-3);
+    const Eigen::ArrayXd powers =
+        2 * log_order_spectrum(window, 5.12, 96, 1e-5 * root_mean_square(window));
+    const Eigen::ArrayXd orders = rows.row(i).tail(96).transpose();
+    EXPECT_LT((orders - 0.7 * (powers - powers.mean())).abs().maxCoeff(), 1e-9);
+    // Orders are 19.5 / 95 apart; those nearest to 3.5 and 5.5 are 14.6 and 24.4 steps from 0.5.
+    Eigen::Index highest = 0;
+    orders.maxCoeff(&highest);
+    EXPECT_NEAR(static_cast<double>(highest), i == 0 ? 14.6 : 24.4, 1);
   }
 }
 
@@ -110,7 +106,6 @@ TEST(OrderFeatures, UnusableWindowsAreRefused) {
   add_modulated(shorter, 1, 3.5, 1800, stream);
   const auto refused = [](const signal::WindowSet& set, const std::string& what) {
     EXPECT_ERROR(order_features(set, "--test"), Exit::bad_input, what);
-    EXPECT_ERROR(frequency_and_order_spectra(set, "--test"), Exit::bad_input, what);
   };
   refused(constant, "--test: window 1 (class OR) is constant");
   refused(without_speed,
@@ -145,34 +140,6 @@ TEST(NearestOrders, IsReadAsWritten) {
   // A classifier by band powers has 128 columns.
   EXPECT_ERROR(read_nearest(reader, training.info, order_length), Exit::bad_input,
                "/learned/bands");
-}
-
-TEST(WdcnnOrders, ShowsBothSpectraStandardisedSeparately) {
-  const signal::WindowSet set = modulated_at(1800, "inputs", 1);
-  const LabelledWindows seen = frequency_and_order_spectra(set, "--test");
-  EXPECT_EQ(seen.length, 2048U);
-  EXPECT_EQ(seen.labels, set.labels);
-  EXPECT_EQ(seen.classes, 3U);
-  for (const std::size_t i : {0U, 1U}) {
-    const scoring::Windows window = modulated_row(set, i);
-    const double floor = 1e-5 * root_mean_square(window);
-    Eigen::ArrayXd expected(2048);
-    expected << standardised(log_frequency_spectrum(window, 1024, floor)),
-        standardised(log_order_spectrum(window, 5.12, 1024, floor));
-    const Eigen::Map<const Eigen::ArrayXf> inputs(seen.samples.data() + 2048 * i, 2048);
-    EXPECT_LT((inputs.cast<double>() - expected).abs().maxCoeff(), 1e-4);
-  }
-}
-
-TEST(WdcnnOrders, HasAsManyInputsAsTheNetworkNeeds) {
-  Stream stream("lengths");
-  for (const std::size_t samples : {256U, 1000U, 1024U, 1025U, 4096U}) {
-    signal::WindowSet set = empty_set(samples);
-    for (int i = 0; i < 2; ++i) add_modulated(set, 1, 3.5, 1800, stream);
-    const LabelledWindows seen = frequency_and_order_spectra(set, "--test");
-    EXPECT_EQ(seen.length, std::max<std::size_t>(samples, 1024) / 2 * 2) << samples;
-    EXPECT_EQ(seen.samples.size(), 2 * seen.length) << samples;
-  }
 }
 
 }  // namespace
