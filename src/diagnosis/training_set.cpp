@@ -4,6 +4,7 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -78,14 +79,32 @@ void require_enough(const WindowSet& generated, Label label, std::size_t needed)
                             std::to_string(needed) + " or more, or choose another --ratio");
 }
 
-/// Returns the shaft speed of a generated window without a recorded speed: the middle of the speeds
-/// of B and C if these are the same; otherwise NaN.
+/// Returns the shaft speed of generated windows without recorded speeds and parents: the middle of
+/// the speeds of B, C and all conditions if these are the same; otherwise NaN.
 double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> speeds) {
   std::ranges::transform(info.conditions, std::back_inserter(speeds),
                          &signal::Condition::shaft_speed_rpm);
   const auto [slowest, fastest] = std::ranges::minmax(speeds);
   return symptoms::is_same_speed(slowest, fastest) ? std::midpoint(slowest, fastest)
                                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Returns the shaft speed of the known windows that a generated window was made from, the first
+/// one's; NaN if their speeds differ.
+double speed_of_parents_rpm(const WindowSet& known, const signal::Parents& parents) {
+  std::vector<double> speeds;
+  for (const std::int32_t parent : parents) {
+    const auto i = static_cast<std::size_t>(parent);
+    if (i >= known.size()) {
+      refuse("--generated", fmt::format("a window was made from known window {}, but --known holds "
+                                        "{} windows; give files of one split",
+                                        i, known.size()));
+    }
+    speeds.push_back(known.speed_rpm(i));
+  }
+  const bool same = !speeds.empty() &&
+                    symptoms::is_same_speed(std::ranges::min(speeds), std::ranges::max(speeds));
+  return same ? speeds.front() : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Appends the shaft speed of each window.
@@ -139,7 +158,13 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
     const double unsaid_rpm = unsaid_speed_rpm(normal.info, speeds_rpm);
     for (const std::size_t i : first_of_each_fault(*generated, per_class)) {
       training.append(*generated, i);
-      speeds_rpm.push_back(silent ? unsaid_rpm : generated->speed_rpm(i));
+      if (!silent) {
+        speeds_rpm.push_back(generated->speed_rpm(i));
+      } else if (std::isnan(unsaid_rpm) && !generated->parents.empty()) {
+        speeds_rpm.push_back(speed_of_parents_rpm(known, generated->parents[i]));
+      } else {
+        speeds_rpm.push_back(unsaid_rpm);
+      }
     }
   }
   training.shaft_speed_rpm = std::move(speeds_rpm);

@@ -90,6 +90,27 @@ TEST_F(TrainingSet, HasTheRecordedSpeedOfEachWindow) {
                                    testing::IsNan(), testing::IsNan()));
 }
 
+// The first windows of classes 1 and 2 in E are its windows 1 and 0.
+TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedThatOfTheirParents) {
+  normal.shaft_speed_rpm = {600, 600, 600, 900, 900, 900};
+  known.shaft_speed_rpm = {900, 600, 908, 600};
+  const auto speeds_of = [&](const signal::Parents& of_2, const signal::Parents& of_1) {
+    generated.parents.assign(6, {0});
+    generated.parents[0] = of_2;
+    generated.parents[1] = of_1;
+    const WindowSet set = compose_training_set(normal, known, &generated, 1);
+    return std::vector<double>{set.speed_rpm(10), set.speed_rpm(11)};
+  };
+  EXPECT_THAT(speeds_of({3}, {0, 2}), testing::ElementsAre(900, 600));
+  EXPECT_THAT(speeds_of({2, 3}, {}), testing::ElementsAre(testing::IsNan(), testing::IsNan()));
+  generated.parents[1] = {4};
+  expect_error(Exit::bad_input,
+               "--generated: a window was made from known window 4, but --known holds 4 windows",
+               &generated, 1);
+  generated.shaft_speed_rpm = {1, 2, 3, 4, 5, 6};
+  EXPECT_THAT(speeds_of({3}, {0}), testing::ElementsAre(2, 1));
+}
+
 TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedTheOnlySpeed) {
   const auto speed_of_generated = [&] {
     const WindowSet set = compose_training_set(normal, known, &generated, 1);
