@@ -150,7 +150,7 @@ done
 keep=(diagnose --test A.h5 --normal B.h5 --known C.h5 --ratio 100to1 --seed 0 --epochs 1)
 awk 'BEGIN { srand(1); for (i = 0; i < 4096; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >classifier.h5.csv
 classify=(--recording classifier.h5.csv --variable 1 --sample-rate-hz 12000 --speed-rpm 1797)
-for classifier in wdcnn nearest exclusion-rule symptom-net wdcnn-orders nearest-orders prototypes; do
+for classifier in wdcnn nearest exclusion-rule symptom-net nearest-orders prototypes; do
   kept=$cell/none/100to1/$classifier/classifier.h5
   stage "${keep[@]}" --classifier $classifier --keep-classifier $kept
   consumer $kept classify --classifier $kept "${classify[@]}" --csv out.csv --picture out.svg --output out.h5
