@@ -5,6 +5,7 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "diagnosis/symptom_net.hpp"
 #include "plan/words.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
@@ -33,11 +34,15 @@ Words names_of_ratios() {
   return names;
 }
 
-/// Returns the classifiers other than WDCNN: the rules, the nearest neighbour and symptom-net.
-Words classifiers_but_wdcnn() {
+/// Returns the classifiers of verdicts: the rules, the nearest neighbour and symptom-net.
+Words classifiers_of_verdicts() {
   Words names;
   for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
-    if (classifier.represent == nullptr) names.emplace_back(classifier.name);
+    const std::string name = classifier.name;
+    if (classifier.rule || name == diagnosis::reference_classifier ||
+        name == diagnosis::symptom_net.name) {
+      names.push_back(name);
+    }
   }
   return names;
 }
@@ -48,7 +53,7 @@ Lists lists_of_verdicts() {
   Lists lists{.datasets = {"cwru-blind"},
               .methods = {augment::no_method},
               .ratios = {scoring::all_ratios().front().name, scoring::all_ratios().back().name},
-              .classifiers = classifiers_but_wdcnn(),
+              .classifiers = classifiers_of_verdicts(),
               .seeds = {0}};
   for (const std::string& method : augment::methods_without_known()) {
     if (!augment::is_ceiling(method)) lists.methods.push_back(method);
