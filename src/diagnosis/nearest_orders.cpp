@@ -15,10 +15,11 @@ FeatureRows order_features(const signal::WindowSet& windows, const std::string& 
         Eigen::Map<const Eigen::RowVectorXf>(windows.window(i).data(),
                                              static_cast<Eigen::Index>(windows.length))
             .cast<double>();
-    const Eigen::ArrayXd amplitudes = log_order_spectrum(
-        window, shaft_turns(windows, i), shaft_orders, amplitude_floor * root_mean_square(window));
+    Eigen::ArrayXd amplitudes = log_order_spectrum(window, shaft_turns(windows, i), shaft_orders,
+                                                   amplitude_floor * root_mean_square(window));
+    amplitudes -= amplitudes.mean();
     rows.row(static_cast<Eigen::Index>(i)).tail(shaft_orders) =
-        order_weight * 2 * (amplitudes - amplitudes.mean()).transpose();
+        order_weight * 2 * amplitudes.transpose();
   }
   return rows;
 }
