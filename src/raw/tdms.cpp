@@ -45,7 +45,11 @@ void append(const Where& where, std::span<const std::byte> bytes, const TdmsSegm
       begin += segment.has_rows ? type.size : values.bytes;
       continue;
     }
-    if (type.read == nullptr) refuse(where, std::string("does not hold numbers, but ") + type.name);
+    if (type.read == nullptr) {
+      refuse(where, fmt::format("has values of the type '{}', which is not supported; name a "
+                                "channel of real numbers, or save this one as double",
+                                type.name));
+    }
     const std::size_t count = segment.has_rows ? 1 : values.count;
     for (std::size_t chunk = 0; chunk < segment.chunks; ++chunk) {
       const std::size_t at = begin + chunk * segment.chunk_bytes;

@@ -1,6 +1,7 @@
 #include "raw/tdms_segments.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,15 @@ std::optional<std::string> take_name(std::string_view& path) {
   return std::nullopt;
 }
 
+/// Refuses a type whose values cannot be skipped. `owner` has them.
+void require_stated_size(const fs::path& file, const std::string& owner, const TdmsType& type,
+                         const char* remedy) {
+  if (type.size != unstated_size) return;
+  refuse_file(file, fmt::format("{} has the type '{}', which is not supported, and whose size is "
+                                "unknown, so the rest of the file cannot be read; {}",
+                                owner, type.name, remedy));
+}
+
 /// Reads numbers and texts from the metadata of a segment.
 class Metadata {
  public:
@@ -117,6 +127,7 @@ class Metadata {
     if (id == tdms_text) return text();
     const TdmsType* const type = tdms_type(id);
     if (type == nullptr) refuse(fmt::format("a property has the unknown type {:#x}", id));
+    require_stated_size(file_, "a property", *type, "save the file without it");
     require(type->size);
     at_ += type->size;
     if (type->read == nullptr) return {};
@@ -282,6 +293,8 @@ class Walk {
     if (type == nullptr) {
       metadata.refuse(fmt::format("an object has values of the unknown type {:#x}", values.type));
     }
+    require_stated_size(file_, fmt::format("channel {}", fmt::join(objects_[object].path, "/")),
+                        *type, "save the channel as double, or the file without it");
     if (metadata.number() != 1) metadata.refuse("an object has values of several dimensions");
     values.count = metadata.number<std::uint64_t>();
     values.bytes = index_bytes == with_size ? metadata.number<std::uint64_t>()

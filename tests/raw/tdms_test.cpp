@@ -142,8 +142,59 @@ TEST_F(Tdms, SkipsOtherDataBetweenNumbers) {
                       write_.object("/'it''s'/'a/b'", write_.index(tdms::dbl, 2))},
                      labels + std::string(16, '\x7f') + write_.numbers(Doubles{4, 5}));
   EXPECT_THAT(samples(bytes, "it's/a/b"), ElementsAre(4, 5));
-  expect_refused(bytes, "1", "channel it's/label does not hold numbers, but text");
-  expect_refused(bytes, "2", "channel it's/when does not hold numbers, but time stamps");
+  const std::string remedy =
+      "', which is not supported; name a channel of real numbers, or save this one as double";
+  expect_refused(bytes, "1", "channel it's/label has values of the type 'text" + remedy);
+  expect_refused(bytes, "2", "channel it's/when has values of the type 'time stamp" + remedy);
+}
+
+/// The types of NI's enumeration tdsDataType that do not hold real numbers, with their sizes. A
+/// channel of numbers follows in each chunk, and in each row if interleaved.
+TEST_F(Tdms, SkipsAnUnsupportedTypeOfKnownSize) {
+  struct Type {
+    std::uint32_t id;
+    std::size_t bytes;
+    std::string name;
+  };
+  for (const Type& type :
+       {Type{0x21, 1, "boolean"}, Type{tdms::time_stamp, 16, "time stamp"},
+        Type{0x08000C, 8, "complex single"}, Type{0x10000D, 16, "complex double"}}) {
+    SCOPED_TRACE(type.name);
+    const std::vector<std::string> objects{write_.object("/'g'/'a'", write_.index(type.id, 2)),
+                                           write_.object("/'g'/'b'", write_.index(tdms::dbl, 2))};
+    const std::string other(type.bytes, '\1');
+    const auto number = [&](double value) { return write_.number(value); };
+    const std::string chunk = other + other + number(4) + number(5);
+    const std::string chunks = write_.segment(tdms::new_values, objects, chunk + chunk);
+    EXPECT_THAT(samples(chunks, "g/b"), ElementsAre(4, 5, 4, 5));
+    expect_refused(
+        chunks, "g/a",
+        "channel g/a has values of the type '" + type.name + "', which is not supported");
+    const std::string rows = write_.segment(tdms::new_values | tdms::interleaved, objects,
+                                            other + number(4) + other + number(5));
+    EXPECT_THAT(samples(rows, "g/b"), ElementsAre(4, 5));
+  }
+}
+
+TEST_F(Tdms, IsRefusedWithATypeOfUnknownSize) {
+  for (const auto& [id, name] :
+       {std::pair{0x0BU, "extended float"}, std::pair{0x1BU, "extended float with a unit"},
+        std::pair{0x4FU, "fixed point"}, std::pair{0xFFFFFFFFU, "NI-DAQmx raw data"}}) {
+    const std::string why = std::string(" has the type '") + name +
+                            "', which is not supported, and whose size is unknown, so the rest of "
+                            "the file cannot be read; save the ";
+    expect_refused(write_.segment(tdms::new_values,
+                                  {write_.object("/'g'/'a'", write_.index(id, 1)),
+                                   write_.object("/'g'/'b'", write_.index(tdms::dbl, 1))},
+                                  std::string(24, '\1')),
+                   "g/b", "channel g/a" + why + "channel as double, or the file without it");
+    const std::string property = write_.words("limit") + write_.number(id) + std::string(16, '\1');
+    expect_refused(
+        write_.segment(tdms::new_values,
+                       {write_.object("/'g'/'a'", write_.index(tdms::dbl, 1), {property})},
+                       "12345678"),
+        "1", "a property" + why + "file without it");
+  }
 }
 
 TEST_F(Tdms, AppliesItsScales) {
@@ -243,6 +294,8 @@ TEST_F(Tdms, IsRefusedWithImpossibleMetadata) {
   expect_refused(with(write_.object(path, write_.as_before())), "1",
                  "damaged: an object refers to earlier values");
   expect_refused(with(write_.object(path, write_.index(77, 1))), "1", "damaged: an object has");
+  expect_refused(with(write_.object(path, write_.index(tdms::nothing, 1))), "1",
+                 "damaged: an object has values of an impossible size");
   expect_refused(with(write_.object("g/a", write_.index(tdms::dbl, 1))), "1",
                  "damaged: an object has a path");
   expect_refused(with(write_.object(path, write_.index(tdms::dbl, 1)), "1234567"), "1",

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t new_values = metadata | new_list | raw_data;
 inline constexpr std::uint64_t crashed = 0xFFFFFFFFFFFFFFFF;
 
 // Types of values.
+inline constexpr std::uint32_t nothing = 0;
 inline constexpr std::uint32_t int8 = 1;
 inline constexpr std::uint32_t int16 = 2;
 inline constexpr std::uint32_t int32 = 3;
