@@ -116,6 +116,9 @@ Signal read_table(const fs::path& file, const std::string& column) {
     if (!number) {
       // A single word in a single column may be a garbled number, unless it is the column's name.
       if (layout.fields > 1 || field == column) require_same_table(file, line, all, layout);
+      if (is_date_or_time(field) && field.find_first_of(":/-", 1) != field.npos) {
+        refuse(", a date or time, not a number; name a column of numbers");
+      }
       const bool may_be_header = line == layout.first_line && !is_column_number(column);
       const std::string_view remedy = remedy_for_thousands(field);
       if (may_be_header && remedy.empty()) {

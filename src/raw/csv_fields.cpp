@@ -43,7 +43,7 @@ bool is_date_or_time(std::string_view text) {
                                  [&](char c) { return signs.find(c) != std::string_view::npos; });
   };
   const auto digits = count("0123456789");
-  const auto others = count(".:/- ");
+  const auto others = count(count(":") >= 2 ? ".:/- ,+TZAPM" : ".:/- ");
   return digits >= 5 && digits + others == static_cast<std::ptrdiff_t>(text.size()) &&
          (count(":/") >= 1 || count(".") == 2 || count("-") == 2);
 }

@@ -75,7 +75,7 @@ inline bool is_column_number(std::string_view column) {
   return column.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00".
+/// True for "24.02.2024 10:00:00", "2024-02-24", "10:00:00,5", "2024-02-24T10:00:00Z".
 bool is_date_or_time(std::string_view text);
 
 /// Returns what to do about a number with separators of thousands, such as 1.640,337; empty for

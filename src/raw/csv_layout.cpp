@@ -229,12 +229,28 @@ class Search {
   /// True if a line with words, such as "Sample rate,12000", has numbers in other fields than the
   /// last line read.
   [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
-    if (!holds_letters(line.text)) return false;
+    return holds_letters(line.text) && !has_numbers_as_last_line(line, separator);
+  }
+
+  /// True if a line has numbers in the same fields as the last line read.
+  [[nodiscard]] bool has_numbers_as_last_line(const Line& line, char separator) const {
     const auto is_number = [&](std::string_view field) {
       return number_in_field(field).has_value();
     };
-    return !std::ranges::equal(fields(line, separator), fields(lines_.back(), separator), {},
-                               is_number, is_number);
+    return std::ranges::equal(fields(line, separator), fields(lines_.back(), separator), {},
+                              is_number, is_number);
+  }
+
+  /// Returns the number of fields of a row; returns 0 for any other line. Rows of a table with a
+  /// column of dates or words have numbers in the same fields as the last line.
+  [[nodiscard]] std::size_t count_columns(const Line& line) const {
+    const std::size_t numbers = count_numbers(line);
+    if (numbers > 0 || line.is_comment) return numbers;
+    const char separator = separator_of(line.text);
+    const auto found = fields(line, separator);
+    const bool has_number =
+        std::ranges::any_of(found, [](auto field) { return number_in_field(field).has_value(); });
+    return has_number && has_numbers_as_last_line(line, separator) ? found.size() : 0;
   }
 
   /// Finds the column of times by name or unit; otherwise the first column.
@@ -399,16 +415,16 @@ class Search {
     return without_numbers->second;
   }
 
-  /// Refuses a header that has fewer or more names than the lines below have numbers: its names
+  /// Refuses a header that has fewer or more names than the lines below have fields: its names
   /// cannot be assigned to columns.
   void require_as_many_fields(std::size_t header, std::size_t names) const {
     for (std::size_t i = header + 1; i < lines_.size(); ++i) {
-      const std::size_t count = count_numbers(lines_[i]);
+      const std::size_t count = count_columns(lines_[i]);
       if (count == 0) continue;
       if (count == names) return;
       refuse_csv_line(
           file_, lines_[header].number,
-          fmt::format("is a header of {} name{} above lines of {} number{}; name the "
+          fmt::format("is a header of {} name{} above lines of {} field{}; name the "
                       "column by its number, 1 to {}",
                       names, names == 1 ? "" : "s", count, count == 1 ? "" : "s", count));
     }
@@ -435,7 +451,7 @@ class Search {
     const Line* header = &lines_.front();
     std::size_t count = 0;
     for (const Line& line : lines_) {
-      count = count_numbers(line);
+      count = count_columns(line);
       if (count > 0) break;
       header = &line;
     }
@@ -445,7 +461,7 @@ class Search {
       refuse_csv_line(file_, header->number,
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
     }
-    if (header == &lines_.front() && count_numbers(*header) > 0) {
+    if (header == &lines_.front() && count_columns(*header) > 0) {
       refuse_csv_line(file_, header->number,
                       fmt::format("has no column {}, because there is no header; name the column "
                                   "by its number, 1 to {}",

@@ -407,11 +407,67 @@ TEST_F(InstrumentText, IsReadByNumberIfTheHeaderHasOtherFields) {
   const std::string rows = "0,-0.5\n1,1.25\n2,2\n";
   for (const char* header : {"x\n", "t,x,force\n", "t x [g]\n"}) {
     expect_read(header + rows, "2");
-    expect_refused(header + rows, "x", " above lines of 2 numbers; name the column by its number");
+    expect_refused(header + rows, "x", " above lines of 2 fields; name the column by its number");
   }
   expect_read("t x\n1 0 -0.5\n2 1 1.25\n3 2 2\n", "3");  // R writes row names without a header
   expect_refused("t x\n1 0 -0.5\n2 1 1.25\n", "x", ", line 1: is a header of 2 names above lines");
   expect_read(",x\n" + rows, "x");  // pandas writes row numbers with an empty header
+}
+
+/// Loggers write a date or time in each row.
+TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
+  struct Table {
+    std::string separator;
+    std::vector<std::string> times;
+    bool has_decimal_commas = false;
+  };
+  for (const auto& [separator, times, has_decimal_commas] :
+       {Table{",", {"2024-01-01 12:00:00.000", "2024-01-01 12:00:00.001", "2024-01-01 12:00:01"}},
+        Table{";", {"12:00:00,001", "12:00:00,002", "12:00:00,003"}, true},
+        Table{";", {"01.02.2024 12:00:00", "01.02.2024 12:00:01", "01.02.2024 12:00:02"}, true},
+        Table{"\t", {"12:00:00:000", "12:00:00:001", "12:00:00:002"}},
+        Table{",", {"2024-01-01", "2024-01-02", "2024-01-03"}},
+        Table{",", {"2024-01-01T12:00:00.0Z", "2024-01-01T12:00:00.1Z", "2024-01-01T12:00:01Z"}},
+        Table{",",
+              {"2024-01-01T12:00:00+01:00", "2024-01-01T12:00:01+01:00",
+               "2024-01-01T12:00:02+01:00"}},
+        Table{",", {"1/2/2024 9:59:58 AM", "1/2/2024 9:59:59 AM", "1/2/2024 10:00:00 AM"}}}) {
+    std::string rows;
+    for (const auto& [i, number] :
+         {std::pair{0, "-0.5"}, std::pair{1, "1.25"}, std::pair{2, "2"}}) {
+      std::string field = number;
+      if (has_decimal_commas) std::ranges::replace(field, '.', ',');
+      rows.append(times.at(i)).append(separator).append(field).append("\n");
+    }
+    const std::string header = "Time" + separator + "Acc\n";
+    expect_read(rows, "2");
+    expect_read(header + rows, "2");
+    expect_read(header + rows, "Acc");
+    expect_read("Logger 5\nDate: 2024-01-01\n\n" + header + rows, "Acc");
+    const auto is_a_date = [](const std::string& column, const std::string& field) {
+      return ", line 2: column " + column + " holds '" + field +
+             "', a date or time, not a number; name a column of numbers";
+    };
+    expect_refused(rows, "1", is_a_date("1", times.at(1)));
+    expect_refused(header + rows, "1", is_a_date("1", times.at(0)));
+    expect_refused(header + rows, "Time", is_a_date("Time", times.at(0)));
+    expect_refused(rows, "Acc",
+                   ", line 1: has no column Acc, because there is no header; name the column by "
+                   "its number, 1 to 2");
+    expect_refused(header + rows, "x", ", line 1: has no column x; it has Time, Acc");
+    expect_refused(header + rows, "3", ", line 1: has no column 3; columns are 1 to 2");
+    expect_refused("Time" + separator + "Acc" + separator + "Speed\n" + rows, "Acc",
+                   ", line 1: is a header of 3 names above lines of 2 fields; name the column by "
+                   "its number, 1 to 2");
+  }
+  // Words do the same.
+  const std::string rows = "0,-0.5,n/a\n1,1.25,n/a\n2,2,n/a\n";
+  expect_read(rows, "2");
+  expect_refused(rows, "x", ", line 1: has no column x, because there is no header");
+  expect_refused("t,x,note\n" + rows, "y", ", line 1: has no column y; it has t, x, note");
+  // Damaged numbers are not called dates.
+  expect_refused("0,-0.5\n1,1.234.567\n", "2",
+                 ", line 2: column 2 holds '1.234.567', not a number");
 }
 
 TEST_F(InstrumentText, HasNoNamesWithoutAHeader) {
