@@ -12,18 +12,46 @@ namespace {
 
 constexpr std::size_t neighbours = 8;  // on either side
 constexpr double times_farther = 10;
+constexpr double times_farther_in_pair = 100;
 
-bool is_lone(std::span<const double> samples, std::size_t i) {
-  const std::size_t first = i - std::min(i, neighbours);
-  const std::size_t end = std::min(samples.size(), i + neighbours + 1);
+/// Range of the neighbours on either side of one sample, or of two.
+struct Range {
+  double middle = 0;
+  double half = 0;
+};
+
+/// Returns the range of the neighbours of the samples from `first` to `last`.
+Range range_around(std::span<const double> samples, std::size_t first, std::size_t last) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (std::size_t k = first; k < end; ++k) {
-    if (k == i) continue;
-    low = std::min(low, samples[k]);
-    high = std::max(high, samples[k]);
-  }
-  return std::abs(samples[i] - (low + high) / 2) > times_farther * (high - low) / 2;
+  const auto add = [&](std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) {
+      low = std::min(low, samples[k]);
+      high = std::max(high, samples[k]);
+    }
+  };
+  add(first - std::min(first, neighbours), first);
+  add(last + 1, std::min(samples.size(), last + 1 + neighbours));
+  return {.middle = (low + high) / 2, .half = (high - low) / 2};
+}
+
+bool is_alone(std::span<const double> samples, std::size_t i) {
+  const Range range = range_around(samples, i, i);
+  return std::abs(samples[i] - range.middle) > times_farther * range.half;
+}
+
+/// True if two adjacent samples are a spike.
+bool are_a_pair(std::span<const double> samples, std::size_t first) {
+  if (first + 1 >= samples.size()) return false;
+  const Range range = range_around(samples, first, first + 1);
+  const double one = std::abs(samples[first] - range.middle);
+  const double other = std::abs(samples[first + 1] - range.middle);
+  return std::min(one, other) > times_farther * range.half &&
+         std::max(one, other) > times_farther_in_pair * range.half;
+}
+
+bool is_lone(std::span<const double> samples, std::size_t i) {
+  return is_alone(samples, i) || are_a_pair(samples, i) || (i > 0 && are_a_pair(samples, i - 1));
 }
 
 }  // namespace

@@ -13,11 +13,13 @@ struct LoneSamples {
   double others = 0;         ///< largest distance of the other samples from the mean
 };
 
-/// Finds spikes. A spike is ten times as far from the middle of its eight neighbours on either side
-/// as any of these. It is also farther from the mean than every sample with ordinary neighbours.
+/// Finds spikes of one sample or of two adjacent samples. A spike is ten times as far from the
+/// middle of its eight neighbours on either side as any of these; the farther of two is a hundred
+/// times as far. A spike is also farther from the mean than every sample with ordinary neighbours.
 ///
 /// Vibration cannot have spikes. Recorders remove frequencies above 0.45 of the sample rate. The
 /// narrowest remaining pulse is sin(0.9 pi n) / (0.9 pi n), whose neighbours reach 0.11 of its
+/// height. Two such pulses, one sample apart, nearly cancel: their neighbours reach 0.014 of the
 /// height. Fault impacts also ring for several samples. Normal noise has such a sample once in 1e12
 /// samples.
 LoneSamples lone_samples(std::span<const double> samples);

@@ -51,6 +51,29 @@ TEST(LoneSamples, FindASpikeAtAnEndOrOnADrift) {
   EXPECT_EQ(lone_samples(samples).farthest, samples.size() - 1);
 }
 
+TEST(LoneSamples, FindASpikeOfTwoSamples) {
+  for (const auto& [first, second] :
+       {std::pair{300., 300.}, std::pair{300., -300.}, std::pair{-300., -90.}, std::pair{80., 300.},
+        std::pair{300., 0.4}}) {
+    for (const std::size_t at : {0, 1000, 23'998}) {
+      Samples samples = ringing(0);
+      samples[at] = first;
+      samples[at + 1] = second;
+      const LoneSamples found = lone_samples(samples);
+      const bool is_single = second == 0.4;
+      EXPECT_EQ(found.count, is_single ? 1U : 2U) << at << " " << second;
+      EXPECT_EQ(std::abs(found.value), 300) << at << " " << second;
+      EXPECT_LT(found.others, 0.6) << at << " " << second;
+    }
+  }
+}
+
+TEST(LoneSamples, DoNotIncludeThreeInARow) {
+  Samples samples = ringing(0);
+  for (const std::size_t at : {1000, 1001, 1002}) samples[at] = 300;
+  EXPECT_EQ(lone_samples(samples).count, 0U);
+}
+
 TEST(LoneSamples, AreNotFoundInNoise) {
   for (int record = 0; record < 20; ++record) {
     const Samples noise = ringing(0, "noise/" + std::to_string(record));
@@ -77,6 +100,22 @@ TEST(LoneSamples, AreNotASingleImpactThatAFilterSharpened) {
       samples[static_cast<std::size_t>(12000 + k)] += 50 * pulse;
     }
     EXPECT_EQ(lone_samples(samples).count, 0U) << shift;
+  }
+}
+
+/// Two such pulses, one sample apart. Their neighbours nearly cancel: of two equal ones, they reach
+/// 0.014 of the height.
+TEST(LoneSamples, AreNotTwoSamplesThatAFilterSharpened) {
+  for (const double second : {1.0, 0.9, 0.5, 0.0, -0.5, -1.0}) {
+    Samples samples(4000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto pulse = [&](double at) {
+        const double t = 0.9 * pi * (static_cast<double>(i) - at);
+        return t == 0 ? 1 : std::sin(t) / t;
+      };
+      samples[i] = 50 * (pulse(2000) + second * pulse(2001));
+    }
+    EXPECT_EQ(lone_samples(samples).count, 0U) << second;
   }
 }
 
