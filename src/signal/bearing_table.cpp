@@ -135,14 +135,32 @@ std::string designations_of(const std::vector<Row>& rows) {
   return comma_list(rows, &Row::designation);
 }
 
-/// Removes marks of seals, shields and clearance, which change no dimension: 6205-2Z/C3 and 6205ZZ
-/// are a 6205. Keeps a 2 next to digits, because 6202Z is a 6202.
+std::string_view number_at_end(std::string_view word) {
+  return word.substr(word.find_last_not_of("0123456789") + 1);  // npos + 1 is 0
+}
+
+/// True if a word ends with a bearing's number and the 2 of a seal: 62052RS is a 6205 with 2RS.
+/// False if the 2 may belong to the bearing, as in 6202Z, or in 62202RS of the wide series 622.
+bool ends_with_two_of_seal(std::string_view word) {
+  const std::string_view number = number_at_end(word);
+  const auto starts_with = [&](std::string_view series) { return number.starts_with(series); };
+  constexpr std::array<std::string_view, 6> series{"60", "62", "63", "64", "68", "69"};
+  constexpr std::array<std::string_view, 4> wide{"622", "623", "630", "638"};
+  const bool has_five_digits = number.size() == 5 && std::ranges::any_of(series, starts_with) &&
+                               std::ranges::none_of(wide, starts_with);
+  return number.ends_with('2') && (has_five_digits || number.size() == 6);
+}
+
+/// Removes marks of seals, shields and clearance, which change no dimension: 6205-2Z/C3, 6205ZZ and
+/// 62052RS are a 6205.
 Words without_suffixes(const Words& words) {
-  constexpr std::array<std::string_view, 16> attached{"ZZ",  "RZ",  "Z",   "RS",  "RS1", "RSH",
-                                                      "RSL", "RSR", "LLU", "LLB", "DDU", "VV",
-                                                      "C2",  "C3",  "C4",  "CN"};
-  constexpr std::array<std::string_view, 7> apart{"2Z",   "2RS",  "2RS1", "2RSH",
-                                                  "2RSL", "2RSR", "2RZ"};
+  constexpr std::array<std::string_view, 27> attached{
+      "ZZ",  "RZ",  "Z",   "RS",  "RS1", "RS2", "RSH", "RSL", "RSR",
+      "RSD", "HRS", "BRS", "LLU", "LLB", "LLH", "LU",  "DDU", "DU",
+      "VV",  "RU",  "NSE", "C2",  "C3",  "C4",  "C5",  "CN",  "CM"};
+  constexpr std::array<std::string_view, 13> apart{"2Z",   "2RS",  "2RS1", "2RS2", "2RSH",
+                                                   "2RSL", "2RSR", "2RSD", "2RZ",  "2HRS",
+                                                   "2BRS", "2RU",  "2NSE"};
   Words found;
   for (const std::string& word : words) {
     std::string_view stem = std::ranges::count(apart, word) > 0 ? "" : word;
@@ -151,6 +169,7 @@ Words without_suffixes(const Words& words) {
       for (const std::string_view suffix : attached) {
         if (!stem.ends_with(suffix)) continue;
         stem.remove_suffix(suffix.size());
+        if (!suffix.starts_with('C') && ends_with_two_of_seal(stem)) stem.remove_suffix(1);
         again = true;
       }
     }
@@ -180,6 +199,26 @@ std::vector<Row> rows_called(const Words& written, const std::vector<Row>& rows)
   return part.empty() ? stem : part;
 }
 
+/// Returns 6204 for an insert bearing UC204 and a unit with it, such as UCP204; empty for others.
+/// Inserts are deep groove ball bearings of series 62 and 63 with a wide inner ring. Those below
+/// 204 are left out, because some have the outer ring of a 204.
+std::string deep_groove_of(std::string_view word) {
+  const std::string_view number = number_at_end(word);
+  const bool is_insert = word.starts_with("UC") && number.size() == 3 &&
+                         (number[0] == '2' || number[0] == '3') && number.substr(1) >= "04";
+  return is_insert ? '6' + std::string(number) : "";
+}
+
+/// Replaces an insert bearing by the deep groove bearing with its rolling elements.
+Words with_deep_groove(const Words& words) {
+  Words found;
+  for (const std::string& word : words) {
+    const std::string other = deep_groove_of(word);
+    found.push_back(other.empty() ? word : other);
+  }
+  return found;
+}
+
 /// Returns the rows that share words with the request, as a hint.
 std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
   const Words runs = runs_of(without_suffixes(written));
@@ -203,10 +242,15 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
   const Words words = words_of(designation);
   const std::vector<Row> found = rows_called(words, rows);
   if (found.empty()) {
-    const std::string like = designations_of(rows_like(words, rows));
+    const Words others = with_deep_groove(words);
+    const std::string like = designations_of(rows_like(others, rows));
     throw Error(Exit::bad_input,
                 "'" + designation + "' has no row in " + table.string() +
                     (like.empty() ? "" : "; similar are " + like) +
+                    (others == words ? ""
+                                     : "; an insert usually has the rolling elements of the deep "
+                                       "groove bearing " +
+                                           joined_words(others)) +
                     "; give balls, ball_diameter_mm, pitch_diameter_mm and contact_angle_deg, or "
                     "bpfo and bpfi, from a data sheet");
   }

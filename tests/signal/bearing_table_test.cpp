@@ -50,10 +50,12 @@ TEST(BearingTable, GivesAGeometryBySomeOfTheWords) {
 TEST(BearingTable, IgnoresSealsAndClearance) {
   const Folder folder;
   const auto table = folder.write("bearings.csv", some_rows + "NSK 6203ZZ,8,6.77,28.5,0,,,,,one\n");
-  for (const char* suffix : {"Z",     "ZZ",    "-2Z",    " 2Z",    "RS",     "-RS",   " 2RS",
-                             "/C3",   " C3",   "-ZZ/C3", "-2Z-C3", "ZZC3",   "-2RS1", "-2RSH/C3",
-                             "-2RSR", "-2RSL", "-2RZ",   "LLU",    "LLB/C4", " DDU",  "VV",
-                             "RZ",    "-RS1",  "RSH",    "/C2",    "C4",     "-CN",   "-LLU/CN"}) {
+  for (const char* suffix :
+       {"Z",      "ZZ",     "-2Z",    " 2Z",     "RS",    "-RS",      " 2RS",  "/C3",
+        " C3",    "-ZZ/C3", "-2Z-C3", "ZZC3",    "-2RS1", "-2RSH/C3", "-2RSR", "-2RSL",
+        "-2RZ",   "LLU",    "LLB/C4", " DDU",    "VV",    "RZ",       "-RS1",  "RSH",
+        "/C2",    "C4",     "-CN",    "-LLU/CN", "-2RS2", "-RSD",     "-2HRS", "-2BRS",
+        "LLH/C5", "LU",     "DU",     "-2NSE",   "-2RU",  " 2RS C3",  "ZZCM"}) {
     EXPECT_EQ(bearing_called("NU2205" + std::string(suffix), table).at("balls"), 13) << suffix;
     EXPECT_EQ(bearing_called("fag nu2205" + std::string(suffix), table).at("balls"), 13) << suffix;
     EXPECT_EQ(bearing_called("6203" + std::string(suffix), table).at("balls"), 8) << suffix;
@@ -63,6 +65,42 @@ TEST(BearingTable, IgnoresSealsAndClearance) {
        {"NU2205K", "NU2205 ECP", "NSK NU2205ZZ", "C3", "2Z", "ZZ", "2RS1", "2RS-C3"}) {
     EXPECT_ERROR(bearing_called(other, table), Exit::bad_input, "' has no row");
   }
+}
+
+TEST(BearingTable, IgnoresASealWrittenWithoutADash) {
+  const Folder folder;
+  const auto table =
+      folder.write("bearings.csv", some_rows +
+                                       "X 6202,8,6,25,0,,,,,a\nX 6220,8,25,140,0,,,,,b\n"
+                                       "X 16005,9,6,36,0,,,,,c\nX 22212,16,12,85,10,,,,,d\n");
+  for (const char* seal :
+       {"2RS", "2RS1", "2RSH", "2RSR", "2Z", "2RZ", "2RSC3", "2Z/C3", "2RS C3"}) {
+    EXPECT_EQ(bearing_called("6205" + std::string(seal), table).at("pitch_diameter_mm"), 39.04);
+    EXPECT_EQ(bearing_called("KG6205" + std::string(seal), table).at("pitch_diameter_mm"), 39);
+    EXPECT_EQ(bearing_called("6202" + std::string(seal), table).at("pitch_diameter_mm"), 25);
+    EXPECT_EQ(bearing_called("16005" + std::string(seal), table).at("pitch_diameter_mm"), 36);
+  }
+  EXPECT_EQ(bearing_called("6202Z", table).at("pitch_diameter_mm"), 25);
+  EXPECT_EQ(bearing_called("22212RS", table).at("pitch_diameter_mm"), 85);
+  // 62202RS is a 62202 with RS or a 6220 with 2RS; 6205 has no clearance 2C3.
+  for (const char* other : {"62202RS", "62202Z", "62052", "62052C3", "620522RS"}) {
+    EXPECT_ERROR(bearing_called(other, table), Exit::bad_input, "' has no row");
+  }
+}
+
+/// Inserts are deep groove bearings with a wide inner ring (FBJ's catalogue).
+TEST(BearingTable, NamesTheDeepGrooveBearingOfAnInsert) {
+  const Folder folder;
+  const auto table = folder.write("bearings.csv", some_rows);
+  for (const char* insert : {"UC205", "ASAHI UCP205", "UC 205"}) {
+    EXPECT_ERROR(bearing_called(insert, table), Exit::bad_input, "' has no row in ");
+  }
+  for (const std::string insert : {"UC205", "UCP205"}) {
+    EXPECT_ERROR(bearing_called(insert, table), Exit::bad_input,
+                 "; similar are SKF 6205-2RS JEM, KG 6205; an insert usually has the rolling "
+                 "elements of the deep groove bearing 6205; give balls, ball_diameter_mm");
+  }
+  EXPECT_ERROR(bearing_called("UC201", table), Exit::bad_input, table.string() + "; give balls");
 }
 
 TEST(BearingTable, GivesOrdersIfTheGeometryIsUnknown) {
