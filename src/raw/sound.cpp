@@ -199,6 +199,24 @@ std::size_t channel_in(const fs::path& file, const std::string& channel, int cha
   return static_cast<std::size_t>(*number - 1);
 }
 
+/// Returns the samples of a channel, as many as can be read. Reads in blocks, because all channels
+/// may need many times the memory of one. Stops at an error, which the next read would clear.
+std::vector<double> samples_of(SNDFILE* sound, std::size_t channels, std::size_t channel,
+                               std::size_t count) {
+  constexpr std::size_t frames = 1 << 12;
+  std::vector<double> block(frames * channels);
+  std::vector<double> samples;
+  samples.reserve(count);
+  for (std::size_t got = frames;
+       got == frames && samples.size() < count && sf_error(sound) == SF_ERR_NO_ERROR;) {
+    const std::size_t most = std::min(frames, count - samples.size());
+    got = static_cast<std::size_t>(std::max<sf_count_t>(
+        0, sf_readf_double(sound, block.data(), static_cast<sf_count_t>(most))));
+    for (std::size_t i = 0; i < got; ++i) samples.push_back(block[i * channels + channel]);
+  }
+  return samples;
+}
+
 [[noreturn]] void refuse_unopened(const fs::path& file) {
   const std::string why = sf_strerror(nullptr);
   const bool lacks_rate = why.find("SF_INFO struct incomplete") != std::string::npos;
@@ -228,18 +246,15 @@ Signal read_sound(const fs::path& file, const std::string& channel) {
                   "declares {} samples, more than a file of its size can hold; the file is damaged",
                   count));
   }
-  std::vector<double> all(count * channels);
-  const sf_count_t got = sf_readf_double(sound.get(), all.data(), info.frames);
-  if (got != info.frames || sf_error(sound.get()) != SF_ERR_NO_ERROR) {
-    refuse_file(file,
-                fmt::format("truncated or damaged: {} of {} samples can be read", got, count));
+  std::vector<double> samples = samples_of(sound.get(), channels, index, count);
+  if (samples.size() != count || sf_error(sound.get()) != SF_ERR_NO_ERROR) {
+    refuse_file(file, fmt::format("truncated or damaged: {} of {} samples can be read",
+                                  samples.size(), count));
   }
   if ((info.format & SF_FORMAT_TYPEMASK) == SF_FORMAT_FLAC) {
     require_flac_sum(file, sound.get(), info);
   }
-  Signal signal{.samples = std::vector<double>(count), .sample_rate_hz = info.samplerate};
-  for (std::size_t i = 0; i < count; ++i) signal.samples[i] = all[i * channels + index];
-  return signal;
+  return {.samples = std::move(samples), .sample_rate_hz = info.samplerate};
 }
 
 }  // namespace piae::raw

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int rate_hz = 48000;
-constexpr std::size_t length = 3000;
+constexpr std::size_t length = 10'000;  // more than a block
 
 /// Returns a 16-bit sample of the first channel; the second one has its negative.
 std::int16_t sample(std::size_t i) {
