@@ -138,10 +138,12 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
   }
 }
 
-/// Largest over smallest speed of a condition: no more than balls slip.
-constexpr double largest_speed_ratio = 1.02;
+/// Largest over smallest speed of a condition. A drive that is set to one speed may turn by some
+/// percent faster or slower with each bearing; beyond that, it is another condition, or a slip of
+/// the pen.
+constexpr double largest_speed_ratio = 1.1;
 
-/// Sets each condition's speed to the mean of its records, which must agree within 2 %.
+/// Sets each condition's speed to the mean of its records, which must agree within 10 %.
 void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
                 std::vector<Condition>& conditions) {
   for (Condition& condition : conditions) {
@@ -152,7 +154,7 @@ void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
     const auto [least, largest] = std::ranges::minmax(speeds_rpm);
     if (largest > largest_speed_ratio * least) {
       root.refuse("record", fmt::format("has condition '{}' at {:g} and at {:g} rpm; the speeds of "
-                                        "a condition may differ by 2 %",
+                                        "a condition may differ by 10 %",
                                         condition.name, least, largest));
     }
     condition.shaft_speed_rpm = std::accumulate(speeds_rpm.begin(), speeds_rpm.end(), 0.0) /
