@@ -13,10 +13,10 @@ namespace piae::regression {
 /// One number from a cell of a run.
 struct Measured {
   std::string method;
-  std::string classifier;  ///< of a diagnosis; empty for a score
-  std::string ratio;       ///< of a diagnosis; empty for a score
-  std::string quantity;    ///< "accuracy" or "type_accuracy", in [0, 1], or the name of a metric
-                           ///< (scoring/quality.hpp)
+  std::string classifier;  ///< empty for a score
+  std::string ratio;       ///< empty for a score
+  std::string quantity;    ///< "accuracy" or "kind_accuracy", in [0, 1]; "right_verdicts", of faulty
+                           ///< records; or the name of a metric (scoring/quality.hpp)
   std::int64_t seed = 0;
   double value = 0;  ///< mean over the fault classes for a metric
 };

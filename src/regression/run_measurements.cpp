@@ -10,6 +10,7 @@
 #include "diagnosis/catalogue.hpp"
 #include "run/cell.hpp"
 #include "run/layout.hpp"
+#include "run/verdicts.hpp"
 #include "scoring/ratios.hpp"
 
 namespace piae::regression {
@@ -98,6 +99,22 @@ void add_score(const std::string& method, std::int64_t seed, DatasetOfRun& of_ru
   }
 }
 
+void add_verdicts(const run::Combination& cell, std::int64_t seed, DatasetOfRun& of_run) {
+  const run::Layout& layout = of_run.layout;
+  const run::Verdicts verdicts = run::read_verdicts(layout, cell, seed);
+  note_origin(
+      artefact::Reader(layout.classification(cell.method, cell.ratio, seed, cell.classifier),
+                       "classification"),
+      verdicts.protocol, of_run);
+  of_run.measurements.values.push_back(
+      {.method = cell.method,
+       .classifier = cell.classifier,
+       .ratio = cell.ratio,
+       .quantity = "right_verdicts",
+       .seed = seed,
+       .value = static_cast<double>(verdicts.count_right_faults())});
+}
+
 /// Returns all possible diagnoses of a method.
 std::vector<run::Combination> cells_of(const std::string& method) {
   std::vector<run::Combination> cells;
@@ -117,6 +134,10 @@ void add_seed(const fs::path& folder, std::int64_t seed, const run::Selection& s
       if (selection.has(cell, seed) &&
           fs::exists(layout.diagnosis(method, cell.ratio, seed, cell.classifier))) {
         add_diagnosis(cell, seed, of_run);
+      }
+      if (selection.has(cell, seed) &&
+          fs::exists(layout.classification(method, cell.ratio, seed, cell.classifier))) {
+        add_verdicts(cell, seed, of_run);
       }
     }
     if (selection.has({method, "", ""}, seed) && fs::exists(layout.score(method, seed))) {
@@ -159,8 +180,8 @@ std::vector<Measurements> read_run(const fs::path& run, const run::Selection& se
   if (datasets.empty()) {
     throw Error(Exit::input_missing,
                 run.string() +
-                    ": has none of the requested diagnoses and scores; run `make all` "
-                    "with the same variables");
+                    ": has none of the requested diagnoses, scores and verdicts; run `make all` "
+                    "or `make verdicts` with the same variables");
   }
   return datasets;
 }

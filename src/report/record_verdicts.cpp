@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "report/columns.hpp"
 #include "report/labels.hpp"
+#include "run/verdicts.hpp"
 #include "text/csv.hpp"
 
 namespace piae::report {
@@ -34,31 +35,25 @@ std::string name_of_judge(const run::Combination& cell) {
                                            : run::name_by(cell.method, cell.classifier);
 }
 
-/// Reads the verdicts of a cell.
+/// Reads the verdicts of a cell, on the same records as the cells before.
 std::vector<Named> read_verdicts(const run::Layout& layout, const run::Combination& cell,
                                  std::int64_t seed, RecordVerdicts& all) {
-  const artefact::Reader reader(
-      layout.classification(cell.method, cell.ratio, seed, cell.classifier), "classification");
-  const artefact::Reader kept(
-      layout.kept_classifier(cell.method, cell.ratio, seed, cell.classifier), "classifier");
-  if (reader.text("/", "classifier_digest") != kept.digest()) {
-    reader.refuse("/", "was not made by " + kept.path().string());
-  }
-  std::vector<Named> verdicts = classification::read_named(reader);
-  const signal::DatasetInfo info = signal::read_dataset_info(reader);
-  const std::string healthy = info.class_of(info.healthy_label()).name;
+  run::Verdicts verdicts = run::read_verdicts(layout, cell, seed);
   std::vector<JudgedRecord> records;
-  records.reserve(verdicts.size());
-  for (const Named& each : verdicts) {
+  records.reserve(verdicts.records.size());
+  for (const Named& each : verdicts.records) {
     records.push_back({.name = each.recording,
                        .true_class = each.true_class,
-                       .is_faulty = each.true_class != healthy});
+                       .is_faulty = verdicts.is_faulty(each)});
   }
   if (all.records.empty()) all.records = records;
   if (!std::ranges::equal(records, all.records, {}, &JudgedRecord::name, &JudgedRecord::name)) {
-    reader.refuse("/recordings/name", "differs from that of the first classifier");
+    throw Error(Exit::bad_input,
+                layout.classification(cell.method, cell.ratio, seed, cell.classifier).string() +
+                    ": names other records than that of the first classifier; run `make verdicts` "
+                    "again");
   }
-  return verdicts;
+  return std::move(verdicts.records);
 }
 
 Judge judge_of(const run::Layout& layout, const run::Grid& grid, const run::Combination& cell,

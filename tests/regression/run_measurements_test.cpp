@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "run/stored_verdicts.hpp"
 #include "support/stored_run.hpp"
 
 namespace piae::regression {
@@ -69,6 +70,20 @@ TEST_F(RunMeasurements, HaveTheClassifierOfEachAccuracy) {
             1U);
 }
 
+TEST_F(RunMeasurements, CountTheRightVerdictsOfKeptClassifiers) {
+  const auto run = folder_.path() / "verdicts";
+  run::store_verdicts(run::Layout(run, "toys"), 3, {0, 1, 2, 2});
+  const std::vector<Measurements> datasets = read_run(run, {});
+  ASSERT_EQ(datasets.size(), 1U);
+  ASSERT_EQ(datasets.front().values.size(), 1U);
+  const Measured& measured = datasets.front().values.front();
+  EXPECT_EQ(measured.classifier, "nearest");
+  EXPECT_EQ(measured.quantity, "right_verdicts");
+  EXPECT_EQ(measured.seed, 3);
+  EXPECT_DOUBLE_EQ(measured.value, 2);  // of three faulty records
+  EXPECT_THROW(read_run(run, {.classifiers = {"wdcnn"}}), Error);
+}
+
 TEST_F(RunMeasurements, ReadTheSelectionOnly) {
   add_all();
   const auto run = folder_.path() / "run";
@@ -82,7 +97,7 @@ TEST_F(RunMeasurements, ReadTheSelectionOnly) {
       ADD_FAILURE();
     } catch (const Error& error) {
       EXPECT_EQ(error.exit(), Exit::input_missing);
-      EXPECT_THAT(error.what(), HasSubstr("run: has none of the requested diagnoses and scores"));
+      EXPECT_THAT(error.what(), HasSubstr("run: has none of the requested diagnoses, scores"));
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "classification/judged.hpp"
+#include "run/stored_verdicts.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
@@ -11,7 +11,6 @@ namespace piae::report {
 namespace {
 
 using classification::classifier_of_toys;
-using classification::judged;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -22,25 +21,10 @@ class VerdictsOnRecords : public testing::Test {
   VerdictsOnRecords() {
     const signal::DatasetInfo info = classifier_of_toys().info();
     for (std::size_t i = 0; i < names_.size(); ++i) names_[i] = info.classes[i].name;
-    store(0, {0, 1, 2, 2});
-    store(1, {0, 1, 1, 1});
+    run::store_verdicts(layout_, 0, {0, 1, 2, 2});
+    run::store_verdicts(layout_, 1, {0, 1, 1, 1});
   }
 
-  /// Stores the predicted classes of the four records.
-  void store(std::int64_t seed, const std::vector<int>& predicted) const {
-    artefact::Writer kept("classifier");
-    kept.attribute("/", "seed", seed);
-    const std::filesystem::path file = layout_.kept_classifier("none", "100to1", seed, "nearest");
-    kept.save(file, {"test", "", {}});
-    std::vector<classification::Verdict> verdicts;
-    for (std::size_t i = 0; i < predicted.size(); ++i) {
-      verdicts.push_back(
-          judged(records_[i], std::vector<int>(3, predicted[i]), names_[index_of(truth_[i])]));
-    }
-    artefact::Writer writer("classification");
-    write(writer, verdicts, classifier_of_toys(), artefact::Reader(file, "classifier").digest());
-    writer.save(layout_.classification("none", "100to1", seed, "nearest"), {"test", "", {}});
-  }
   [[nodiscard]] RecordVerdicts verdicts(const std::string& others = "",
                                         std::vector<std::int64_t> seeds = {0, 1}) const {
     const run::Grid grid{.dataset = "toys",
@@ -50,8 +34,6 @@ class VerdictsOnRecords : public testing::Test {
     return record_verdicts(layout_, grid, others.empty() ? "" : folder_.write("o.csv", others));
   }
 
-  const std::vector<std::string> records_{"healthy", "a-1", "a-2", "b-1"};
-  const std::vector<Label> truth_{0, 1, 1, 2};
   std::vector<std::string> names_ = std::vector<std::string>(3);
   Folder folder_;
   run::Layout layout_{folder_.path(), "toys"};
@@ -107,12 +89,6 @@ TEST_F(VerdictsOnRecords, AreWrittenAsCsvWithoutFurtherCommas) {
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 + 4);
   EXPECT_EQ(std::ranges::count(csv, ','), 8 * 13);
   EXPECT_EQ(std::ranges::count(csv, '"'), 0);
-}
-
-TEST_F(VerdictsOnRecords, AreRefusedIfMadeByAnotherClassifier) {
-  artefact::Writer kept("classifier");
-  kept.save(layout_.kept_classifier("none", "100to1", 1, "nearest"), {"test", "", {}});
-  EXPECT_ERROR(verdicts(), Exit::bad_input, "classification.h5: / was not made by ");
 }
 
 TEST_F(VerdictsOnRecords, OfOthersMustNameEachFaultyRecordOnce) {

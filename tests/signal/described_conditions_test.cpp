@@ -62,9 +62,8 @@ TEST(DescribedConditions, MayLimitHealthyWindows) {
 }
 
 TEST(DescribedConditions, HaveRecordsOfTheirOwnSpeeds) {
-  const Description d =
-      described(replaced(two_speeds, "shaft_speed_rpm = 1190", "shaft_speed_rpm = 1290") +
-                from_900_to_1200);
+  const Description d = described(
+      replaced(two_speeds, "shaft_speed_rpm = 1190", "shaft_speed_rpm = 1290") + from_900_to_1200);
   EXPECT_DOUBLE_EQ(d.info.conditions[1].shaft_speed_rpm, 1245);
   EXPECT_THAT(d.records, testing::Contains(testing::Field(&RecordSource::shaft_speed_rpm, 1290)));
 }
@@ -130,9 +129,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"class = \"cracked\"\ncondition = \"1200 rpm\"", "class = \"cracked\"",
                 "transfer.known needs a condition for each fault record, but class cracked has a "
                 "record without one"},
-        Refused{"shaft_speed_rpm = 1190", "shaft_speed_rpm = 1330",
-                "record has condition '1200 rpm' at 1200 and at 1330 rpm; the speeds of a condition "
-                "may differ by 10 %"},
+        Refused{
+            "shaft_speed_rpm = 1190", "shaft_speed_rpm = 1330",
+            "record has condition '1200 rpm' at 1200 and at 1330 rpm; the speeds of a condition "
+            "may differ by 10 %"},
         Refused{"class = \"ok\"\ncondition = \"1200 rpm\"",
                 "class = \"ok\"\ncondition = \"900 rpm\"",
                 "transfer.test names '1200 rpm', but there is no record of class ok"},

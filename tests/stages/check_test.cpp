@@ -53,7 +53,7 @@ TEST_F(CheckStage, RefusesWhatItCannotCompare) {
   expect_refusal(tiny_.run("check", with(compared, "--run", "nowhere")), "check", 66,
                  {"nowhere: has none of the requested diagnoses"});
   expect_refusal(tiny_.run("check", with(compared, "--seeds", "5")), "check", 66,
-                 {"run: has none of the requested diagnoses and scores"});
+                 {"run: has none of the requested diagnoses, scores"});
   expect_refusal(tiny_.run("check", with(compared, "--tolerance", "some")), "check", 2,
                  {"--tolerance", "exact", "spread"});
   expect_refusal(tiny_.run("check", with(compared, "--ratios", "7to1")), "check", 2, {"7to1"});
