@@ -9,19 +9,25 @@ load scripts.'/panel_grid.gp'
 right_of_sets = 570.0; left_of_mean = 592.0; right_of_mean = 722.0
 
 # Methods: first the one that is subtracted from the others, then those with a recorded input; ceilings apart.
-methods = ""; ceilings = ""; bars = ""; against = ""
-do for [wanted in "against method ceiling bar"] {
+methods = ""; ceilings = ""; against = ""
+do for [wanted in "against method ceiling"] {
   do for [m in words_method] {
     found = 0
-    stats data using (found = found + (strcol(3) eq m && strcol(4) eq wanted && ($6 == 1 || wanted eq "bar")), 0) nooutput
+    stats data using (found = found + (strcol(3) eq m && strcol(4) eq wanted && $6 == 1), 0) nooutput
     if (found) {
-      if (wanted eq "ceiling") { ceilings = ceilings." ".m } else {
-        if (wanted eq "bar") { bars = bars." ".m } else { methods = methods." ".m }
-        if (wanted eq "against") { against = m }
-      }
+      if (wanted eq "ceiling") { ceilings = ceilings." ".m } else { methods = methods." ".m }
+      if (wanted eq "against") { against = m }
     }
   }
 }
+# Classifiers without training, which need no generated window, are lines.
+bars = ""
+do for [c in words_classifier] {
+  found = 0
+  stats data using (found = found + (strcol(5) eq c && strcol(4) eq "bar"), 0) nooutput
+  if (found) { bars = bars." ".c }
+}
+tone(c) = place(c, bars) == 1 ? 0x333333 : 0x888888
 many = words(methods)
 shown_as = ""  # the input of each method, in their order
 do for [m in methods] {
@@ -64,7 +70,7 @@ pitch(wide)  = 0.75 * wide / (many > 5 ? many : 5)
 off(m, wide) = (place(m, methods) - (many + 1) / 2.0) * pitch(wide)
 
 of(m)    = strcol(3) eq m && $6 == 1
-of_bar(m) = strcol(3) eq m && strcol(4) eq "bar"
+of_bar(c) = strcol(5) eq c && strcol(4) eq "bar"
 set_in(n) = place(strcol(n), words_dataset)
 plain(n) = set_in(n) <= sets ? spot(set_in(n)) : NaN
 at(m)    = plain(1) + off(m, nearest_gap)
@@ -84,7 +90,7 @@ set label 1 (by_speed ? "Accuracy at a speed other than that of the known faults
   "Accuracy in a condition other than that of the known faults").": ".part
 set label 4 "each method by the input chosen for it beforehand; marks: mean over the seeds and its 95 % interval; dots: seeds" \
   at screen 0.5, 1 - 36.0 / height center font font_11 textcolor rgb 0x555555
-set label 2 by_speed ? "tested speed divided by the speed at which faults are known (data set ".substr(name(1), 1, common)."...)" \
+set label 2 by_speed ? "tested speed divided by the speed at which faults are known (data set".(sets > 6 ? "s" : "")." ".substr(name(1), 1, common)."...)" \
   : sets > 4 ? "data set ".substr(name(1), 1, common)."..." : "data set"
 set label 2 at screen (edge_left + right_of_sets) / 2 / 960, 22.0 / height noenhanced
 set label 3 "accuracy, percent"
@@ -93,23 +99,26 @@ set multiplot
 eval margins(edge_left / 960.0, right_of_sets / 960, 1 - 1.0 * edge_top / height, 1.0 * edge_bottom / height)
 set xrange [least - 0.6 * nearest_gap:most + 0.6 * nearest_gap]
 set xtics () scale 0 font font_12
-# Write names of close neighbours at two heights.
-crowded = by_speed && nearest_gap < 0.25 * (most - least)
-before(i) = int(sum [j = 1:sets] (spot(j) < spot(i)))
-lower(i)  = crowded && before(i) % 2 == 1 ? "\n" : ""
-do for [i = 1:sets] { set xtics add ((by_speed ? sprintf("%.3g\n%s%s", ratios[i], lower(i), short(i)) : short(i)) spot(i)) }
+# Names have no room if many ratios are close; the ratio tells the data sets then.
+crowded = by_speed && nearest_gap < 0.1 * (most - least)
+if (crowded) {
+  array round_ratios[9] = [0.25, 0.33, 0.5, 0.67, 0.8, 1, 1.25, 1.5, 2]
+  do for [i = 1:9] { set xtics add (sprintf("%.3g", round_ratios[i]) log(round_ratios[i]) / log(2)) }
+} else {
+  do for [i = 1:sets] { set xtics add ((by_speed ? sprintf("%.3g\n%s", ratios[i], short(i)) : short(i)) spot(i)) }
+}
 set key off
 # Connect data sets only if they have an order; else each has a separate line.
 joined(names) = by_speed ? names : ""
 apart(names)  = by_speed ? "" : names
 plot for [m in joined(ceilings)] data using (of(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
        with lines linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
-     for [m in joined(bars)] data using (of_bar(m) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
-       with lines linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
+     for [c in joined(bars)] data using (of_bar(c) && is_mean(9) ? plain(1) : NaN):10 smooth unique \
+       with lines linewidth 1.6 dashtype 3 linecolor rgb tone(c), \
      for [m in apart(ceilings)] data using (of(m) && is_mean(9) ? plain(1) - 0.45 : NaN):10:(0.9):(0) \
        with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour, \
-     for [m in apart(bars)] data using (of_bar(m) && is_mean(9) ? plain(1) - 0.45 : NaN):10:(0.9):(0) \
-       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb 0x333333, \
+     for [c in apart(bars)] data using (of_bar(c) && is_mean(9) ? plain(1) - 0.45 : NaN):10:(0.9):(0) \
+       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb tone(c), \
      for [m in joined(methods)] data using (of(m) && is_mean(9) ? at(m) : NaN):10 smooth unique \
        with lines linewidth 0.7 linecolor rgb faint(place(m, methods)), \
      for [m in methods] data using (of(m) && !is_mean(9) ? at(m) + 0.35 * pitch(nearest_gap) : NaN):10 \
@@ -130,6 +139,6 @@ plot for [m in methods] data using (of(m) && !is_mean(9) ? middle(m) + 0.35 * pi
        with yerrorbars pointtype symbol(m) pointsize large(m) linewidth thick(m) linecolor rgb tint(m) title entry(m), \
      for [m in ceilings] data using (of(m) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
        with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour title m." (ceiling)", \
-     for [m in bars] data using (of_bar(m) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
-       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb 0x333333 title m." by nearest"
+     for [c in bars] data using (of_bar(c) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
+       with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb tone(c) title "none by ".c
 unset multiplot

@@ -5,6 +5,7 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "diagnosis/catalogue.hpp"
+#include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/symptom_net.hpp"
 #include "plan/words.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -61,8 +62,8 @@ Lists lists_of_verdicts() {
   return lists;
 }
 
-/// Returns all groups, and their methods with all inputs that a group names and with the baseline,
-/// at the ratio with the most generated windows.
+/// Returns all groups, and their methods with all inputs that a group names and with the nearest
+/// neighbours, at the ratio with the most generated windows.
 Lists lists_of_transfer(const Experiment& experiment) {
   if (experiment.groups.empty()) {
     throw Error(Exit::usage,
@@ -72,7 +73,8 @@ Lists lists_of_transfer(const Experiment& experiment) {
   Lists defaults;
   std::set<std::string> methods;
   std::set<std::string> datasets;
-  std::set<std::string> classifiers{diagnosis::reference_classifier};
+  std::set<std::string> classifiers{diagnosis::reference_classifier,
+                                    diagnosis::nearest_orders.name};
   for (const settings::Group& group : experiment.groups) {
     datasets.insert(group.datasets.begin(), group.datasets.end());
     for (const std::string& input : group.inputs) methods.insert(input.substr(0, input.find('=')));

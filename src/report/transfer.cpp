@@ -97,7 +97,7 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
   for (const GroupRow* const other : group.others()) {
     auto pair = paired_row(group.own()->mean.row, other->mean.row);
     pair.value().method =
-        other == group.reference_row() ? reference_label(other->mean.row) : other->method;
+        group.is_reference(*other) ? reference_label(other->mean.row) : other->method;
     differences.push_back(std::move(*pair));
   }
   add_holm_p(differences);
@@ -246,15 +246,20 @@ const GroupRow* TransferGroup::own() const {
 std::vector<const GroupRow*> TransferGroup::others() const {
   std::vector<const GroupRow*> others = recorded();
   std::erase(others, own());
-  if (reference_row() != nullptr) others.push_back(reference_row());
+  std::ranges::copy(references(), std::back_inserter(others));
   return others;
 }
 
-const GroupRow* TransferGroup::reference_row() const {
-  const auto found = std::ranges::find_if(rows, [](const GroupRow& row) {
-    return row.method == augment::no_method && row.classifier == diagnosis::reference_classifier;
-  });
-  return found == rows.end() ? nullptr : &*found;
+bool TransferGroup::is_reference(const GroupRow& row) const {
+  return row.method == augment::no_method && !diagnosis::the_classifier(row.classifier).trains();
+}
+
+std::vector<const GroupRow*> TransferGroup::references() const {
+  std::vector<const GroupRow*> references;
+  for (const GroupRow& row : rows) {
+    if (is_reference(row)) references.push_back(&row);
+  }
+  return references;
 }
 
 const GroupRow* TransferGroup::best_of(const std::string& method, Question question) const {

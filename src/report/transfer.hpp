@@ -88,10 +88,12 @@ struct TransferGroup {
   [[nodiscard]] bool has_fault_types() const;
   /// Returns the recorded row of `against`; null if there is none.
   [[nodiscard]] const GroupRow* own() const;
-  /// Returns the recorded rows of all other methods, and reference_row().
+  /// Returns the recorded rows of all other methods, and references().
   [[nodiscard]] std::vector<const GroupRow*> others() const;
-  /// Returns `none` by the reference classifier; null if missing.
-  [[nodiscard]] const GroupRow* reference_row() const;
+  /// Returns the rows of `none` by classifiers without training, such as the nearest neighbours:
+  /// what is possible without any generated window and without any network.
+  [[nodiscard]] std::vector<const GroupRow*> references() const;
+  [[nodiscard]] bool is_reference(const GroupRow& row) const;
   /// Returns the best input of a method in this run; null if no trained classifier has a row.
   [[nodiscard]] const GroupRow* best_of(const std::string& method,
                                         Question question = Question::by_class) const;

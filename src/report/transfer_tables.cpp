@@ -23,16 +23,16 @@ using Cells = std::vector<std::string>;
 constexpr const char* mark_of_recorded = "✓";
 constexpr const char* mark_of_best = "↑";
 
-/// Returns the rows of the main tables: methods by their recorded inputs, and the reference.
+/// Returns the rows of the main tables: methods by their recorded inputs, and the references.
 std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question question) {
   std::vector<const GroupRow*> rows = group.recorded(question);
-  if (group.reference_row() != nullptr) rows.push_back(group.reference_row());
+  std::ranges::copy(group.references(), std::back_inserter(rows));
   return rows;
 }
 
-/// Returns "smote" and "wdcnn-spectra". The reference has the same name as in other tables.
+/// Returns "smote" and "wdcnn-spectra". References have the same names as in other tables.
 Cells shown_names(const TransferGroup& group, const GroupRow& row) {
-  if (&row == group.reference_row()) return {reference_label(row.mean.row), no_number};
+  if (group.is_reference(row)) return {reference_label(row.mean.row), no_number};
   return {method_label(row.method), row.classifier};
 }
 
@@ -211,7 +211,7 @@ void add_sections(const TransferGroup& group, Question question, Document& docum
 std::string role_of(const TransferGroup& group, const GroupRow& row) {
   if (row.method == group.choices.against) return "against";
   if (augment::is_ceiling(row.method)) return "ceiling";
-  return &row == group.reference_row() ? "bar" : "method";
+  return group.is_reference(row) ? "bar" : "method";
 }
 
 std::string yes_or_no(bool yes) { return yes ? "1" : "0"; }

@@ -63,7 +63,8 @@ TEST(TransferGroup, AveragesOverTheDatasetsSeedBySeed) {
   EXPECT_THAT(group.seeds, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(group.own()->mean.row.values, ElementsAre(80, 80, 80, 80, 80));
   EXPECT_THAT(group.own()->datasets[1].row.values, ElementsAre(70, 90, 80, 75, 85));
-  EXPECT_THAT(group.reference_row()->mean.row.values, ElementsAre(81, 82, 77, 76, 75));
+  ASSERT_EQ(group.references().size(), 1U);
+  EXPECT_THAT(group.references().front()->mean.row.values, ElementsAre(81, 82, 77, 76, 75));
   EXPECT_EQ(group.own()->mean.row.summary.deviation, 0);
   const AccuracyRow none = group.recorded().front()->mean.row;
   EXPECT_THAT(none.values, ElementsAre(79, 78, 77, 76, 75));
@@ -87,6 +88,27 @@ TEST(TransferGroup, MatchesHandCalculation) {
             "0.0625,\n"
             "g,1to1,strike-twin,wdcnn-spectra,none,nearest,5,1.8000,-2.0671,5.6671,0.6000,0.3125,"
             "0.3125\n");
+}
+
+/// All classifiers without training are compared, next to the method's recorded input.
+TEST(TransferGroup, ComparesWithEachClassifierWithoutTraining) {
+  std::vector<DatasetRows> datasets = two_datasets();
+  for (DatasetRows& each : datasets) {
+    AccuracyRow row = row_by("nearest-orders", row_with("none", "100to1", {83, 84, 83, 84, 83}));
+    row.dataset = each.dataset;
+    each.rows.push_back(std::move(row));
+    row = row_by("nearest-orders", row_with("shift", "1to1", {50, 50, 50, 50, 50}));
+    row.dataset = each.dataset;
+    each.rows.push_back(std::move(row));
+  }
+  const TransferGroup group = transfer_group(choices, datasets);
+  std::vector<std::string> references;
+  for (const GroupRow* const row : group.references()) references.push_back(row->classifier);
+  EXPECT_THAT(references, ElementsAre("nearest", "nearest-orders"));
+  ASSERT_EQ(group.differences.size(), 5U);
+  EXPECT_EQ(group.differences.back().method, "none by nearest-orders");
+  EXPECT_NEAR(group.differences.back().paired.difference.mean, -3.4, 1e-9);
+  EXPECT_THAT(markdown(transfer_document(group)), HasSubstr("| none by nearest-orders | –"));
 }
 
 TEST(TransferGroup, MarksTheRecordedAndTheBestInput) {
