@@ -28,7 +28,7 @@ void store(const std::vector<regression::Measurements>& run, const fs::path& fol
   }
 }
 
-/// Adds each dataset that only the reference has, without values, so that its cells count as
+/// Adds each data set that only the reference has, without values, so that its cells count as
 /// missing.
 void add_missing(std::vector<regression::Measurements>& run, const fs::path& folder,
                  const run::Selection& selection) {
@@ -91,8 +91,8 @@ int main(int argc, char** argv) {
     }
     if (failed == 0) return;
     throw Error(Exit::failed,
-                fmt::format("{} differs from the reference on {} of {} datasets, see above (name "
-                            "datasets, methods, ratios or seeds to compare a part; after an "
+                fmt::format("{} differs from the reference on {} of {} data sets, see above (name "
+                            "data sets, methods, ratios or seeds to compare a part; after an "
                             "intended change, run `make reference`)",
                             run_folder.string(), failed, run.size()));
   });

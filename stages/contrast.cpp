@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   cli::Stage stage(
       "contrast",
       "Compares the accuracies of two runs that differ in one condition, such as the split "
-      "protocol or the dataset. Writes the difference in points, paired by seed: mean, interval, "
+      "protocol or the data set. Writes the difference in points, paired by seed: mean, interval, "
       "effect, Wilcoxon's test with Holm's correction. The requested cells must exist; the table "
       "includes all cells that both runs have. Also writes the table as .csv and .tex.",
       "contrast --with results/try/cwru --without results/try-blocked/cwru --methods none piae-dt "

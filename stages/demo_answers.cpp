@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   cli::Stage stage(
       "demo_answers",
       "Prints the three questions of `make demo` with their answers, from the cells of "
-      "its datasets and from what `classify` reported on a recording.",
+      "its data sets and from what `classify` reported on a recording.",
       "demo_answers --run results/demo --same-speed simulated-small --other-speed "
       "simulated-small-slower --no-fault simulated-small-types-zero --diagnosis "
       "results/demo/recording.h5 --true-class outer");
@@ -39,9 +39,9 @@ int main(int argc, char** argv) {
   fs::path diagnosis;
   std::string true_class;
   stage.input_file("--run", run, "Folder of the run, such as results/demo");
-  stage.options().add("--same-speed", same_speed, "Dataset of the first question").required();
-  stage.options().add("--other-speed", other_speed, "Dataset of the second question").required();
-  stage.options().add("--no-fault", no_fault, "Dataset of the third question").required();
+  stage.options().add("--same-speed", same_speed, "Data set of the first question").required();
+  stage.options().add("--other-speed", other_speed, "Data set of the second question").required();
+  stage.options().add("--no-fault", no_fault, "Data set of the third question").required();
   stage.input_file("--diagnosis", diagnosis, "Classification of one recording, by `classify`");
   stage.options().add("--true-class", true_class, "Class of that recording").required();
 

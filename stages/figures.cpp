@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
   fs::path run_folder;
   fs::path published_folder;
   std::vector<std::string> leave_out;
-  stage.options().add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  stage.options().add("--dataset", options.dataset, "Data set, such as cwru").required();
   run::bind_started_cells(stage.options(), options);
   run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage("generate",
                    "Generates windows of each fault class with a trained model (paper, eqs 15 "
-                   "and 26) and writes them as dataset E. Stores the (k, c), the tested "
+                   "and 26) and writes them as windows E. Stores the (k, c), the tested "
                    "condition and the impacts of each window if the method knows them. The first "
                    "n windows of a class do not depend on --count.",
                    "generate --model model.h5 --count 495 --seed 0 --output E.h5");

@@ -30,7 +30,7 @@ void check_files(const signal::Description& description, const fs::path& data_di
     text::save_all({{picture, inspection::picture_of(description.info, check)}});
   }
   if (check.exit != Exit::done) {
-    throw Error(check.exit, "dataset " + description.info.name +
+    throw Error(check.exit, "data set " + description.info.name +
                                 " has problems, see above; correct its description or its files");
   }
 }
@@ -40,7 +40,7 @@ void check_files(const signal::Description& description, const fs::path& data_di
 int main(int argc, char** argv) {
   cli::Stage stage(
       "ingest",
-      "Reads the raw recordings of a dataset (text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW, "
+      "Reads the raw recordings of a data set (text, MATLAB, HDF5, NumPy, TDMS, UFF, LabVIEW, "
       "sound), checks them, resamples them to one rate and writes them as one artefact.",
       "ingest --description pipeline/datasets/cwru.toml --data-dir data --output records.h5");
   fs::path file;
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   fs::path picture;
   bool sources = false;
   bool check = false;
-  stage.input_file("--description", file, "Dataset description (TOML)");
+  stage.input_file("--description", file, "Data set description (TOML)");
   stage.input_file("--data-dir", data_dir, "Folder with the files that --description names")
       .required(false);
   stage.output_file("--output", output, "Artefact to write (needed unless --check or --sources)")

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   std::string class_name;
   signal::MachineOptions machine;
   stage.input_file("--description", description,
-                   "Dataset description (TOML) with a table [simulation]");
+                   "Data set description (TOML) with a table [simulation]");
   stage.output_file("--output", output,
                     "recordings, records.h5; with --stream the raw samples (-: standard output)");
   const cli::Options streaming = stage.options().in_group("One machine");

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   cli::Stage stage(
       "transfer",
-      "Compares methods over a group of datasets that know faults in one condition and test them "
+      "Compares methods over a group of data sets that know faults in one condition and test them "
       "in another. Each method has the input of WDCNN that other seeds chose for it. Writes mean "
       "accuracies, differences from one method paired by seed (Wilcoxon's test with Holm's "
       "correction), and all inputs: transfer@GROUP.csv, transfer-comparisons@GROUP.csv and "
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     text::save_all({{file("transfer", ".csv"), report::transfer_csv(group)},
                     {file("transfer-comparisons", ".csv"), report::transfer_comparisons_csv(group)},
                     {document, report::markdown(report::transfer_document(group))}});
-    std::cout << fmt::format("averaged {} pairs of method and input over {} datasets: {}\n",
+    std::cout << fmt::format("averaged {} pairs of method and input over {} data sets: {}\n",
                              group.rows.size(), group.datasets.size(), document.string());
   });
 }

@@ -21,7 +21,7 @@ void bind(cli::Stage& stage, Sources& sources) {
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   stage
       .input_file("--description", sources.description,
-                  "Dataset description (TOML) of several recordings, instead of --recording")
+                  "Data set description (TOML) of several recordings, instead of --recording")
       .required(false);
   stage.input_file("--data-dir", sources.data_dir, "Folder with the files that --description names")
       .required(false);

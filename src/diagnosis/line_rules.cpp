@@ -37,7 +37,7 @@ void require_lines(const DatasetInfo& info) {
     const signal::ClassInfo& own = info.class_of(label);
     if (bearing::causes_impacts(own.defect)) continue;
     throw Error(Exit::bad_input,
-                fmt::format("class {} of dataset {} has defect '{}', which does not have a fault "
+                fmt::format("class {} of data set {} has defect '{}', which does not have a fault "
                             "line; rules detect defects of the bearing only: choose another "
                             "--classifier, such as wdcnn or nearest",
                             own.name, info.name, signal::to_string(own.defect)));
@@ -54,8 +54,8 @@ void require_one_class_a_type(const DatasetInfo& info) {
     if (other == label) continue;
     throw Error(
         Exit::bad_input,
-        fmt::format("rules tell fault types apart, but dataset {} has several classes of one "
-                    "type, {} and {}; choose a dataset with one class of each type, such as "
+        fmt::format("rules tell fault types apart, but data set {} has several classes of one "
+                    "type, {} and {}; choose a data set with one class of each type, such as "
                     "cwru-types, or another --classifier",
                     info.name, info.class_of(*other).name, own.name));
   }

@@ -44,11 +44,12 @@ void require_speeds(const signal::WindowSet& training, const std::string& input)
   if (std::ranges::none_of(training.shaft_speed_rpm, [](double rpm) { return std::isnan(rpm); })) {
     return;
   }
-  throw Error(Exit::bad_input,
-              fmt::format("--generated: the windows lack shaft speeds, which {} needs in a dataset "
-                          "with several speeds; use a method that stores them, such as "
-                          "strike-twin or piae-dt-zero, or another --classifier",
-                          input));
+  throw Error(
+      Exit::bad_input,
+      fmt::format("--generated: the windows lack shaft speeds, which {} needs in a data set "
+                  "with several speeds; use a method that stores them, such as "
+                  "strike-twin or piae-dt-zero, or another --classifier",
+                  input));
 }
 
 LabelledWindows standardise(const signal::WindowSet& windows, const std::string& what) {

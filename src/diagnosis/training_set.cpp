@@ -39,7 +39,7 @@ void require_alike(const WindowSet& set, const std::string& option, const Window
     refuse(option, what + " " + own + ", but " + other_option + " has " + others +
                        "; give files of one split");
   };
-  require_equal("is of dataset", set.info.name, other.info.name);
+  require_equal("is of data set", set.info.name, other.info.name);
   require_equal("has sample rate (Hz)", std::to_string(set.info.sample_rate_hz),
                 std::to_string(other.info.sample_rate_hz));
   require_equal("has windows of length", std::to_string(set.length), std::to_string(other.length));

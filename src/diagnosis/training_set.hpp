@@ -16,7 +16,7 @@ namespace piae::diagnosis {
 /// known windows that a window was made from, because methods that change the speed store it; NaN
 /// if these differ, too, or are not known. `generated` is null without E. Throws Error(usage) if E
 /// is missing though needed, or given though unused. Throws Error(bad_input) if the sets differ in
-/// dataset or window length, if B or C lacks a class or has a wrong one, and if E has too few
+/// data set or window length, if B or C lacks a class or has a wrong one, and if E has too few
 /// windows of a class.
 signal::WindowSet compose_training_set(const signal::WindowSet& normal,
                                        const signal::WindowSet& known,
@@ -32,8 +32,8 @@ std::vector<std::size_t> first_of_each_fault(const signal::WindowSet& generated,
 void require_faults(const signal::WindowSet& training, const Classifier& classifier,
                     const std::string& known_file);
 
-/// Throws Error(bad_input) if the test set is of another dataset or window length than the training
-/// set, or lacks a class.
+/// Throws Error(bad_input) if the test set is of another data set or window length than the
+/// training set, or lacks a class.
 void require_fitting_test_set(const signal::WindowSet& test, const signal::WindowSet& training);
 
 }  // namespace piae::diagnosis

@@ -21,7 +21,7 @@ class LeftOut : public Error {
 /// others.
 void require_whole(const run::Results& results);
 
-/// Data for the figures of a dataset: the requested cells, which must exist, and all others in the
+/// Data for the figures of a data set: the requested cells, which must exist, and all others in the
 /// run's folder, as for tables (run/held.hpp). Cells are read when a figure first needs them. All
 /// members throw Error in one line, which names the first missing or refused file, and counts the
 /// others.

@@ -17,7 +17,7 @@ WindowSet read_windows_with(const WindowSet& real, const std::filesystem::path& 
   WindowSet windows = read_windows(file, role);
   if (windows.length != real.length || windows.info.classes.size() != real.info.classes.size() ||
       windows.info.conditions != real.info.conditions) {
-    throw Error(Exit::bad_input, file.string() + ": is not of the dataset of D.h5");
+    throw Error(Exit::bad_input, file.string() + ": is not of the data set of D.h5");
   }
   return windows;
 }

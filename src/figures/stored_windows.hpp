@@ -15,7 +15,7 @@ namespace piae::figures {
 signal::WindowSet read_windows(const std::filesystem::path& file, signal::Role role);
 
 /// Reads windows as read_windows() does. Also throws Error(bad_input) unless they are of the
-/// dataset of `real`, which is D.
+/// data set of `real`, which is D.
 signal::WindowSet read_windows_with(const signal::WindowSet& real,
                                     const std::filesystem::path& file, signal::Role role);
 

@@ -8,7 +8,7 @@
 
 namespace piae::figures {
 
-/// Coordinates of the points of a view; the same for all windows of a dataset. Pictures are small,
+/// Coordinates of the points of a view; the same for all windows of a data set. Pictures are small,
 /// so each axis has about a hundred points.
 class ViewAxes {
  public:

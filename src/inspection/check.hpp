@@ -41,7 +41,7 @@ struct FileCheck {
 struct RecordCheck {
   signal::RecordSource source;
   std::size_t file_samples = 0;  ///< before resampling
-  /// Samples of each file at the dataset's sample rate.
+  /// Samples of each file at the data set's sample rate.
   std::vector<std::size_t> pieces;
   std::vector<FileCheck> files;  ///< in the order of their samples
   bool goes_one_way = false;
@@ -51,11 +51,11 @@ struct RecordCheck {
   CutTops cut_tops;
   LoneSamples lone;
   Repeats repeats;
-  /// Level in the dataset's unit, at its rate. Empty for a constant signal and for a record beyond
+  /// Level in the data set's unit, at its rate. Empty for a constant signal and for a record beyond
   /// longest_record_s, which has no measured lines either.
   std::optional<Level> level;
   FaultLines lines;
-  std::vector<double> beginning;  ///< the first shown_s, at the dataset's sample rate
+  std::vector<double> beginning;  ///< the first shown_s, at the data set's sample rate
   EnvelopeSpectrum envelope;      ///< the part that the picture shows
   std::string problem = {};       ///< empty without one
 

@@ -31,7 +31,7 @@ std::string hz_hint(double rpm) {
       rpm * 60);
 }
 
-/// Warns once for the dataset's key, and once for each record with its own speed.
+/// Warns once for the data set's key, and once for each record with its own speed.
 void add_speeds(const Description& description, Lines& lines) {
   const double common = description.info.shaft_speed_rpm;
   if (looks_like_hz(common)) {
@@ -127,7 +127,7 @@ void add_lengths(const std::vector<RecordCheck>& records, Lines& lines) {
   add_for_each(short_ones, too_short, lines);
 }
 
-/// Warns of records with a rate below the dataset's.
+/// Warns of records with a rate below the data set's.
 void add_low_rates(const DatasetInfo& info, const std::vector<RecordCheck>& records, Lines& lines) {
   std::vector<const RecordCheck*> low;
   for (const RecordCheck& record : records) {

@@ -27,7 +27,7 @@ fs::path file_of(const run::Layout& layout, const run::CellName& name) {
                             : layout.diagnosis(name.method, name.ratio, name.seed, name.classifier);
 }
 
-/// Returns the log of the first unfinished step on the way to a cell. Includes the dataset's
+/// Returns the log of the first unfinished step on the way to a cell. Includes the data set's
 /// recordings, without which nothing else can start.
 std::optional<fs::path> log_on_the_way(const run::Layout& layout, const fs::path& file) {
   if (auto log = run::Layout::unfinished_log(file)) return log;

@@ -73,8 +73,8 @@ struct RecordInput {
   std::string digest;
 };
 
-/// Contents of a run for one dataset. File names are relative to the folder of the run, so that the
-/// same run gives the same page in any folder.
+/// Contents of a run for one data set. File names are relative to the folder of the run, so that
+/// the same run gives the same page in any folder.
 struct DatasetContents {
   std::string name;
   run::Grid grid = {};        ///< requested cells, and other cells that the folder holds

@@ -26,7 +26,7 @@ struct Picture {
   std::filesystem::path pdf = {};  ///< relative to the folder of the run; empty if none
 };
 
-/// A figure of figures::catalogue() for one dataset.
+/// A figure of figures::catalogue() for one data set.
 struct FigureContents {
   std::string name = {};
   std::string paper = {};
@@ -38,7 +38,7 @@ struct FigureContents {
   bool is_left_out = false;            ///< true if the run does not have what the figure shows
 };
 
-/// Returns the figures of a dataset in the folder of a run, in the order of the catalogue.
+/// Returns the figures of a data set in the folder of a run, in the order of the catalogue.
 std::vector<FigureContents> read_figures(const std::filesystem::path& run,
                                          const std::string& dataset);
 

@@ -24,7 +24,7 @@ struct MissingGroup {
 };
 
 /// Returns the missing cells in groups, failed and refused ones first. Each method and stage is a
-/// group; cells that were not started are one group for each dataset.
+/// group; cells that were not started are one group for each data set.
 std::vector<MissingGroup> groups_of(const std::vector<DatasetContents>& datasets);
 
 /// Returns "failed", "refused", ...

@@ -27,7 +27,7 @@ namespace {
 using Datasets = std::vector<DatasetContents>;
 using Figures = std::vector<std::vector<FigureContents>>;
 
-/// Returns the values of all datasets, each once, in order of appearance.
+/// Returns the values of all data sets, each once, in order of appearance.
 template <class T, class ValuesOf>
 std::vector<T> all_of(const Datasets& datasets, const ValuesOf& values_of) {
   std::vector<T> all;

@@ -13,7 +13,7 @@ namespace piae::page {
 /// Everything that a report is made from.
 struct ReportContents {
   std::vector<DatasetContents> datasets;
-  std::vector<std::vector<FigureContents>> figures;  ///< for each dataset
+  std::vector<std::vector<FigureContents>> figures;  ///< for each data set
   std::vector<text::File> settings =
       {};  ///< files of RUN/.settings by name, with paths relative to it
 };

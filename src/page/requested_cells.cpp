@@ -34,8 +34,8 @@ bool was_only_identified(const run::Started& started) {
   return fs::is_regular_file(started.layout().identifiability_csv()) && !started.has_cells();
 }
 
-/// True if the report includes a dataset that the user did not name. Warns about a dataset that was
-/// tried but has no started method: nothing records which of its cells are missing.
+/// True if the report includes a data set that the user did not name. Warns about a data set that
+/// was tried but has no started method: nothing records which of its cells are missing.
 bool is_reported(const run::Started& started) {
   if (!started.methods().empty()) return !was_only_identified(started);
   const fs::path folder = started.layout().folder();

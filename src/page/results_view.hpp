@@ -5,7 +5,7 @@
 
 namespace piae::page {
 
-// Views of the accuracies of one dataset. All numbers come from tables of report/; these views
+// Views of the accuracies of one data set. All numbers come from tables of report/; these views
 // place them.
 
 /// Returns the verdict in sentences, accuracies next to the published ones, and gains over none.

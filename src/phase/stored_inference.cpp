@@ -32,7 +32,7 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
     throw Error(
         Exit::bad_input,
         fmt::format(
-            "{}: was trained on {} classes, but the windows have {}; give windows of its dataset",
+            "{}: was trained on {} classes, but the windows have {}; give windows of its data set",
             model.path().string(), classes, windows.info.classes.size()));
   }
   const std::unique_ptr<Inference> inference = read_inference(model);

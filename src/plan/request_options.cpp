@@ -38,7 +38,7 @@ void bind(const cli::Options& command, RequestOptions& requested) {
   command.add("--goals", requested.goals, "Goals, such as all or cells, or files of a run")
       .from_environment("GOALS");
   command.add("--run", requested.run, "Folder under results/").from_environment("RUN");
-  command.add("--datasets", requested.datasets, "Datasets").from_environment("DATASETS");
+  command.add("--datasets", requested.datasets, "Data sets").from_environment("DATASETS");
   command.add("--methods", requested.methods, "Methods; paper: the methods of the paper")
       .from_environment("METHODS");
   command.add("--ratios", requested.ratios, "Ratios of known to generated windows")

@@ -30,7 +30,7 @@ std::string Reading::folder() const {
 }
 
 void bind(const cli::Options& command, ReadingsOptions& options) {
-  command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  command.add("--dataset", options.dataset, "Data set, such as cwru").required();
   command.add("--base", options.base,
               "Settings of each interpretation that does not override them");
   command

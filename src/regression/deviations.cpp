@@ -194,7 +194,7 @@ bool Deviations::acceptable() const {
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
                            const run::Selection& selection, Tolerance tolerance) {
   if (reference.dataset != run.dataset || reference.protocol != run.protocol) {
-    throw std::logic_error("run and reference differ in dataset or protocol");
+    throw std::logic_error("run and reference differ in data set or protocol");
   }
   Deviations deviations;
   deviations.missing = cells_without(reference, run, selection);

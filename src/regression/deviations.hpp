@@ -48,7 +48,7 @@ struct DeviationRow {
   [[nodiscard]] std::optional<double> standard_errors() const;
 };
 
-/// Deviations of a run from its reference on one dataset.
+/// Deviations of a run from its reference on one data set.
 struct Deviations {
   std::vector<DeviationRow> rows;    ///< in the order of the reference
   std::vector<std::string> missing;  ///< cells in the reference only: "smote 10to1, seed 2"
@@ -58,11 +58,11 @@ struct Deviations {
   [[nodiscard]] bool acceptable() const;
 };
 
-/// Compares the selected cells of one dataset over the seeds on both sides. The scatter of a
+/// Compares the selected cells of one data set over the seeds on both sides. The scatter of a
 /// quantity comes from all its seeds, of run and reference, each about the mean of its side. Below
 /// 8 degrees of freedom (five seeds on both sides have 8) this is too uncertain. Then the larger of
 /// two variances is used, its own and that of all rows of the same quantity and classifier, with
-/// the degrees of freedom of the latter. Throws std::logic_error if dataset or protocol differ.
+/// the degrees of freedom of the latter. Throws std::logic_error if data set or protocol differ.
 Deviations find_deviations(const Measurements& reference, const Measurements& run,
                            const run::Selection& selection, Tolerance tolerance);
 

@@ -15,13 +15,13 @@ struct Measured {
   std::string method;
   std::string classifier;  ///< empty for a score
   std::string ratio;       ///< empty for a score
-  std::string quantity;    ///< "accuracy" or "kind_accuracy", in [0, 1]; "right_verdicts", of faulty
-                           ///< records; or the name of a metric (scoring/quality.hpp)
+  std::string quantity;  ///< "accuracy" or "kind_accuracy", in [0, 1]; "right_verdicts", of faulty
+                         ///< records; or the name of a metric (scoring/quality.hpp)
   std::int64_t seed = 0;
   double value = 0;  ///< mean over the fault classes for a metric
 };
 
-/// All numbers of a run on one dataset, and the settings that made them. There are several versions
+/// All numbers of a run on one data set, and the settings that made them. There are several versions
 /// or settings if the cells come from several builds or machines.
 struct Measurements {
   std::string dataset;
@@ -31,11 +31,11 @@ struct Measurements {
   std::set<std::string> settings = {};  ///< processor, threads, compiler and libraries, in one text
 };
 
-/// Returns the reference file of a dataset and protocol: FOLDER/PROTOCOL/DATASET.csv.
+/// Returns the reference file of a data set and protocol: FOLDER/PROTOCOL/DATASET.csv.
 std::filesystem::path reference_file(const std::filesystem::path& folder, signal::Protocol protocol,
                                      const std::string& dataset);
 
-/// Lists the datasets with a reference in a folder, in alphabetical order.
+/// Lists the data sets with a reference in a folder, in alphabetical order.
 std::vector<std::string> reference_datasets(const std::filesystem::path& folder,
                                             signal::Protocol protocol);
 

@@ -40,7 +40,7 @@ std::optional<std::int64_t> seed_of(const std::string& folder) {
   return seed && *seed >= 0 ? seed : std::nullopt;
 }
 
-/// The dataset of a run that is being read.
+/// The data set of a run that is being read.
 struct DatasetOfRun {
   run::Layout layout;
   std::optional<signal::Protocol>

@@ -51,7 +51,7 @@ struct AccuracyRow {
   std::vector<std::int64_t> seeds;  ///< ascending; rows of a run may have different seeds
   std::vector<double> values;       ///< by seed
   scoring::Summary summary;         ///< of the values, with the interval that can be shown
-  /// The same for the accuracy by fault type, for datasets that have it (run::Diagnosis).
+  /// The same for the accuracy by fault type, for data sets that have it (run::Diagnosis).
   std::optional<scoring::Summary> type_accuracy;
   /// run::Diagnosis::speed_ratio; set if faults are known in other conditions than tested.
   std::optional<double> speed_ratio;
@@ -78,7 +78,7 @@ std::vector<AccuracyRow> accuracy_rows(const run::Grid& grid, const run::Results
 /// Returns each method that has a row, once, in the order of the rows.
 std::vector<std::string> methods_of(const std::vector<AccuracyRow>& rows);
 /// True if the rows have accuracies by fault type. Then all rows have them, but gains do not. The
-/// paper has no numbers for such datasets.
+/// paper has no numbers for such data sets.
 bool have_fault_types(const std::vector<AccuracyRow>& rows);
 /// Returns the rows of one method.
 std::vector<AccuracyRow> rows_of(const std::vector<AccuracyRow>& rows, const std::string& method);

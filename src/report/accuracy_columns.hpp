@@ -16,7 +16,7 @@ struct AccuracyColumn {
   const char* terminal = "";  ///< its heading in the terminal; empty if not shown there
   const char* heading =
       "";  ///< in documents, and before the number on a page; empty if shown in neither
-  /// True: only for datasets with fault types. False: only for datasets without. Empty: for all.
+  /// True: only for data sets with fault types. False: only for data sets without. Empty: for all.
   std::optional<bool> types = {};
   /// `style` is the style of accuracies or of gains.
   text::Cell (*cell)(const AccuracyRow& row, NumberStyle style);

@@ -14,7 +14,7 @@ namespace piae::report {
 /// accuracy_columns(): generated_per_class,seeds,mean,std,ci95_low,ci95_high,published in percent
 /// or points. `seeds` is their number. Empty are the standard deviation of a single seed, intervals
 /// that tables do not show (report/accuracies.hpp), and numbers that are not published for this
-/// dataset. Datasets with fault types add kind_mean,kind_std,kind_ci95_low,kind_ci95_high.
+/// data set. Data sets with fault types add kind_mean,kind_std,kind_ci95_low,kind_ci95_high.
 std::string accuracy_csv(const std::vector<AccuracyRow>& rows);
 
 /// Returns the accuracies for a terminal, at most 100 columns wide: a table for each classifier.
@@ -33,7 +33,7 @@ text::Table ratio_matrix(const std::vector<AccuracyRow>& rows,
                          const std::optional<AccuracyRow>& reference_row, const MatrixStyle& style);
 
 /// Returns the means of all methods side by side. Tables 6 to 11 of the paper and the gains of its
-/// Figs 15 and 18 follow, with the published numbers next to ours. Other datasets get the same
+/// Figs 15 and 18 follow, with the published numbers next to ours. Other data sets get the same
 /// tables. The first of them is without generated windows and has a run in each row. The tables of
 /// compared methods and of ablations have a block for each method, with a row for each ratio. Empty
 /// tables are left out. Every table of accuracies includes the reference if it is known.

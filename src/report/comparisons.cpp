@@ -16,7 +16,7 @@ namespace piae::report {
 namespace {
 
 /// Returns the method to compare with if the user requests none: a method of this project, else the
-/// paper's, else "". Among several of this project it prefers the one made for such datasets: one
+/// paper's, else "". Among several of this project it prefers the one made for such data sets: one
 /// that carries faults to other conditions if `carry`, otherwise one that does not.
 std::string method_of_interest(const std::vector<std::string>& methods, bool carry) {
   std::vector<std::string> ours;

@@ -10,7 +10,7 @@
 
 namespace piae::report {
 
-/// A dataset of a run, as one of two sides that are compared.
+/// A data set of a run, as one of two sides that are compared.
 struct Side {
   std::filesystem::path run;
   std::string dataset;
@@ -19,7 +19,7 @@ struct Side {
   std::vector<std::string> gaps = {};                    ///< gap_paragraphs() of its cells
 };
 
-/// The folders RUN/DATASET of both sides, whose last parts name the datasets.
+/// The folders RUN/DATASET of both sides, whose last parts name the data sets.
 struct Folders {
   std::filesystem::path with;
   std::filesystem::path without;

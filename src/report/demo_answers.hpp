@@ -15,7 +15,7 @@ struct NamedRecording {
   bool correct = false;
 };
 
-/// Measurements of `make demo`. Each list holds the cells of one dataset.
+/// Measurements of `make demo`. Each list holds the cells of one data set.
 struct DemoCells {
   std::vector<run::Diagnosis> same_speed;   ///< faults known at the speed they are tested at
   std::vector<run::Diagnosis> other_speed;  ///< faults known at one speed, tested at another

@@ -20,7 +20,7 @@ struct Section {
 
 /// Tables with their explanations, put together once and written as Markdown and LaTeX.
 struct Document {
-  std::string key;  ///< short name, such as that of the dataset
+  std::string key;  ///< short name, such as that of the data set
   std::string title;
   std::vector<std::string> paragraphs = {};  ///< valid for all tables
   std::vector<Section> sections = {};

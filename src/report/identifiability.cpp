@@ -181,7 +181,8 @@ std::string models_label(const std::vector<Identification>& all) {
 }  // namespace
 
 void bind(const cli::Options& command, IdentifiabilityOptions& options) {
-  command.add("--dataset", options.dataset, "Dataset whose (k, c) are known: simulated").required();
+  command.add("--dataset", options.dataset, "Data set whose (k, c) are known: simulated")
+      .required();
   command.add("--methods", options.methods, "Methods that infer (k, c), such as: piae-dt")
       .required();
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();

@@ -12,7 +12,7 @@
 
 namespace piae::report {
 
-/// Models of a run whose inferred (k, c) are compared with the true ones, and a dataset with known
+/// Models of a run whose inferred (k, c) are compared with the true ones, and a data set with known
 /// (k, c).
 struct IdentifiabilityOptions {
   std::string dataset;

@@ -134,7 +134,7 @@ Published::Published(const fs::path& folder) {
   require_header(lines.front(), average, "average");
   for (const text::CsvLine& line : std::span(lines).subspan(1)) {
     std::vector<double>& runs = baseline_runs_[line.fields[0]];
-    if (!runs.empty()) line.refuse("names dataset " + line.fields[0] + " again");
+    if (!runs.empty()) line.refuse("names data set " + line.fields[0] + " again");
     for (std::size_t i = 1; i < average; ++i) runs.push_back(percent_of(line, i));
     add(percents_, line, augment::no_method, scoring::all_ratios().front().name,
         percent_of(line, average));

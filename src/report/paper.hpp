@@ -32,7 +32,7 @@ class Published {
   /// Returns nothing if the paper does not have the dataset, method or ratio.
   [[nodiscard]] std::optional<double> percent(const std::string& dataset, const std::string& method,
                                               const std::string& ratio) const;
-  /// Returns the runs of Tables 6 and 7, without augmentation; none for other datasets.
+  /// Returns the runs of Tables 6 and 7, without augmentation; none for other data sets.
   [[nodiscard]] std::vector<double> baseline_runs(const std::string& dataset) const;
 
  private:
@@ -41,9 +41,9 @@ class Published {
   std::map<std::string, std::vector<double>> baseline_runs_;
 };
 
-/// A dataset of the paper, with the numbers of its tables and figures.
+/// A data set of the paper, with the numbers of its tables and figures.
 struct PaperDataset {
-  const char* name;   ///< name of the same dataset here: "hfhp"
+  const char* name;   ///< name of the same data set here: "hfhp"
   const char* title;  ///< name in the paper: "HFHP"
   int baseline_table;
   int methods_table;
@@ -58,7 +58,7 @@ struct Counterpart {
   /// True if both are the same recordings. Otherwise the published numbers are for orientation only
   /// and must be shown as such.
   bool own;
-  const char* relation;  ///< what our dataset is, if not the same: "stands in for HFHP"
+  const char* relation;  ///< what our data set is, if not the same: "stands in for HFHP"
   const char* caution;   ///< how to read the numbers, if not the same; sentences
 };
 
@@ -71,7 +71,7 @@ struct Place {
   [[nodiscard]] Section of(Section section) const;
 };
 
-/// References of a dataset's tables to the paper. Empty for classifiers that the paper does not
+/// References of a data set's tables to the paper. Empty for classifiers that the paper does not
 /// have.
 class PaperReference {
  public:
@@ -79,18 +79,18 @@ class PaperReference {
                           const std::string& classifier = scoring::paper_classifier);
 
   [[nodiscard]] const std::string& dataset() const { return dataset_; }
-  /// Returns nothing for a dataset without a counterpart in the paper.
+  /// Returns nothing for a data set without a counterpart in the paper.
   [[nodiscard]] const std::optional<Counterpart>& counterpart() const { return counterpart_; }
 
   /// Returns the words for a table that the paper does not have: "hit-sm stands in for HFHP." Empty
-  /// for a dataset of the paper or without a counterpart.
+  /// for a data set of the paper or without a counterpart.
   [[nodiscard]] Place none() const;
   /// Returns the words for a table that the paper also has; `number` is a member of PaperDataset. A
-  /// dataset of the paper gets them after the title. Another gets them before the note: "In the
+  /// data set of the paper gets them after the title. Another gets them before the note: "In the
   /// place of the paper's Table 9; hit-sm stands in for HFHP."
   [[nodiscard]] Place table(int PaperDataset::*number) const;
   [[nodiscard]] Place figure(int PaperDataset::*number) const;
-  /// The same for a figure that shows both datasets.
+  /// The same for a figure that shows both data sets.
   [[nodiscard]] Place figure(int number) const;
   /// Returns the heading of published numbers: "paper" or "paper, HFHP".
   [[nodiscard]] std::string label() const;
@@ -114,7 +114,7 @@ struct MethodGroup {
   bool are_models;  ///< true if the tables name methods by the number of their model, if any
   int PaperDataset::*table;           ///< the paper's table of the methods' accuracies
   int PaperDataset::*quality_figure;  ///< the paper's figure of the methods' MMD and RMSE
-  int gain_figure;                    ///< the paper's figure of the methods' gains on both datasets
+  int gain_figure;  ///< the paper's figure of the methods' gains on both data sets
 };
 
 /// Returns the groups of these methods in the paper's tables, in the given order, without empty

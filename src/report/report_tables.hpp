@@ -11,7 +11,7 @@
 
 namespace piae::report {
 
-/// Tables of one dataset in the report, as data. Lists are empty without a diagnosis.
+/// Tables of one data set in the report, as data. Lists are empty without a diagnosis.
 struct ReportTables {
   using Sections = std::vector<Section>;
 

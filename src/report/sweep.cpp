@@ -145,7 +145,7 @@ std::string SweepPoint::folder(const std::string& method) const {
 }
 
 void bind(const cli::Options& command, SweepOptions& options) {
-  command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  command.add("--dataset", options.dataset, "Data set, such as cwru").required();
   command.add("--method", options.method, "Method whose settings are moved");
   command.add("--classifier", options.classifier, "Classifier that measures the effect");
   command.add("--points", options.points, "Settings tried, such as: batch=1 batch=5 depth=2")

@@ -45,7 +45,7 @@ GroupCell cell_of_means(const std::vector<GroupCell>& cells) {
   return mean;
 }
 
-/// Returns nothing if a dataset does not have the method by this classifier.
+/// Returns nothing if a data set does not have the method by this classifier.
 std::optional<GroupRow> group_row(const std::vector<DatasetRows>& datasets,
                                   const std::string& method, const std::string& classifier) {
   GroupRow group{.method = method, .classifier = classifier, .datasets = {}, .mean = {}};
@@ -158,8 +158,8 @@ run::Results collect_diagnoses(const run::Layout& layout, const run::Grid& grid)
   return results;
 }
 
-/// Returns the results with accuracies by fault type instead of by class. Empty if the dataset does
-/// not have fault types.
+/// Returns the results with accuracies by fault type instead of by class. Empty if the data set
+/// does not have fault types.
 std::optional<run::Results> by_type(run::Results results) {
   for (run::Diagnosis& cell : results.diagnoses) {
     if (!cell.type_accuracy) return std::nullopt;
@@ -174,7 +174,7 @@ DatasetRows dataset_rows(const run::Grid& grid, const run::Results& results) {
   return rows;
 }
 
-/// Reports the problems of all datasets in one error.
+/// Reports the problems of all data sets in one error.
 void require_all_of(const std::vector<run::Results>& datasets) {
   run::Results all;
   for (const run::Results& each : datasets) {
@@ -306,7 +306,7 @@ TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows
 }
 
 void bind(const cli::Options& command, TransferOptions& options) {
-  command.add("--datasets", options.datasets, "Datasets of the group").required();
+  command.add("--datasets", options.datasets, "Data sets of the group").required();
   command
       .add("--against", options.against, "Reference method, from which all others are subtracted")
       .required();

@@ -24,13 +24,13 @@ struct InputChoice {
 /// all methods anyway.
 InputChoice parse_input_choice(const std::string& word);
 
-/// Dataset name of the mean over the datasets of a group.
+/// Data set name of the mean over the data sets of a group.
 inline const std::string mean_over_datasets = "mean";
 
-/// Accuracies of one method by one classifier, on one dataset or in the mean over several.
+/// Accuracies of one method by one classifier, on one data set or in the mean over several.
 struct GroupCell {
   AccuracyRow row;
-  /// The same by fault type; set if all its datasets have fault types.
+  /// The same by fault type; set if all its data sets have fault types.
   std::optional<AccuracyRow> type_accuracy;
 };
 
@@ -43,12 +43,12 @@ struct Marks {
 /// Question about a window: its class, or its fault type whatever the size.
 enum class Question { by_class, by_type };
 
-/// One method by one classifier, on the datasets of a group.
+/// One method by one classifier, on the data sets of a group.
 struct GroupRow {
   std::string method;
   std::string classifier;
   std::vector<GroupCell> datasets;  ///< in the order of the group
-  GroupCell mean;                   ///< for each seed the mean over the datasets
+  GroupCell mean;                   ///< for each seed the mean over the data sets
   Marks by_class = {};              ///< as an input for classes
   Marks by_type = {};               ///< as an input for fault types
 
@@ -78,7 +78,7 @@ struct TransferGroup {
   signal::Protocol protocol = signal::Protocol::random;
   std::vector<std::int64_t> seeds;
   std::vector<GroupRow> rows;  ///< by method, then classifier, in the order of their catalogues
-  /// own() minus each of others(), in the mean over the datasets. A row has the name of the
+  /// own() minus each of others(), in the mean over the data sets. A row has the name of the
   /// subtracted method. Empty if own() is null.
   std::vector<PairedRow> differences = {};
 
@@ -100,22 +100,23 @@ struct TransferGroup {
 };
 
 /// Returns for each seed the mean over the rows, which belong to one method and classifier but
-/// different datasets. Throws Error(bad_input) if their seeds differ, because the means of
-/// different seeds would then cover different datasets.
+/// different data sets. Throws Error(bad_input) if their seeds differ, because the means of
+/// different seeds would then cover different data sets.
 AccuracyRow mean_of_datasets(const std::vector<AccuracyRow>& rows);
 
-/// All rows of a dataset at one ratio, and at 100to1 for `none`.
+/// All rows of a data set at one ratio, and at 100to1 for `none`.
 struct DatasetRows {
   std::string dataset;
   std::vector<AccuracyRow> rows;
-  /// The same by fault type; empty if the dataset does not have fault types.
+  /// The same by fault type; empty if the data set does not have fault types.
   std::vector<AccuracyRow> types = {};
 };
 
-/// Combines datasets that have the same methods and classifiers. Throws as mean_of_datasets() does.
+/// Combines data sets that have the same methods and classifiers. Throws as mean_of_datasets()
+/// does.
 TransferGroup transfer_group(GroupChoices choices, const std::vector<DatasetRows>& datasets);
 
-/// A group of datasets, as in [transfer.GROUP] of pipeline/protocol.toml, and the cells of its
+/// A group of data sets, as in [transfer.GROUP] of pipeline/protocol.toml, and the cells of its
 /// table.
 struct TransferOptions {
   std::string group = {};
@@ -136,8 +137,8 @@ void bind(const cli::Options& command, TransferOptions& options);
 /// Reads the cells from the folder of a run, such as results/paper. Throws Error(usage) as
 /// run::resolve() and parse_input_choice() do, for a method with two inputs, for a ratio that
 /// generates nothing, and if a recorded input is not among the classifiers. Throws Error as
-/// run::require_all() for missing or refused cells, and Error(bad_input) if the datasets were split
-/// by different protocols.
+/// run::require_all() for missing or refused cells, and Error(bad_input) if the data sets were
+/// split by different protocols.
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options);
 
 }  // namespace piae::report

@@ -15,7 +15,7 @@ namespace piae::report {
 /// the known one. `role` is "against" for the method that the others are subtracted from,
 /// "ceiling", "bar" for none by nearest, and otherwise "method". `recorded` is 1 for the input
 /// chosen before, `best` is 1 for the best of a trained classifier in this run. The columns kind*
-/// are filled only for datasets with fault types.
+/// are filled only for data sets with fault types.
 std::string transfer_csv(const TransferGroup& group);
 
 /// Returns transfer-comparisons@GROUP.csv: group,ratio,method,classifier,minus,minus_classifier and

@@ -55,7 +55,7 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
                               const Combination& combination, std::int64_t seed,
                               const TestedWindows* tested) {
   const scoring::DiagnosisRecord record = scoring::read_diagnosis(reader);
-  require_same(reader, "the dataset", record.info.name, dataset);
+  require_same(reader, "the data set", record.info.name, dataset);
   require_same(reader, "the method", record.method, combination.method);
   require_same(reader, "the ratio", record.ratio, combination.ratio);
   require_same(reader, "the classifier", record.classifier, combination.classifier);
@@ -82,7 +82,7 @@ Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string&
 scoring::QualityRecord read_score_cell(const artefact::Reader& reader, const std::string& dataset,
                                        const std::string& method, std::int64_t seed) {
   scoring::QualityRecord record = scoring::read_quality(reader);
-  require_same(reader, "the dataset", record.info.name, dataset);
+  require_same(reader, "the data set", record.info.name, dataset);
   require_same(reader, "the method", record.method, method);
   require_same(reader, "the seed", std::to_string(record.seed), std::to_string(seed));
   return record;

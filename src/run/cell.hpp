@@ -45,7 +45,7 @@ struct Diagnosis {
   std::vector<scoring::DecisionRates> decisions = {};
 };
 
-/// Reads one diagnosis. Throws artefact::Refusal if its dataset, method, ratio, classifier or seed
+/// Reads one diagnosis. Throws artefact::Refusal if its data set, method, ratio, classifier or seed
 /// differs from its place in the run, if its contents are impossible, or if it belongs to other
 /// test windows. `tested` may be null if these are unknown.
 Diagnosis read_diagnosis_cell(const artefact::Reader& reader, const std::string& dataset,

@@ -77,7 +77,7 @@ std::string name_by(const std::string& method, const std::string& classifier) {
 }
 
 void bind(const cli::Options& command, GridOptions& options) {
-  command.add("--dataset", options.dataset, "Dataset, such as cwru").required();
+  command.add("--dataset", options.dataset, "Data set, such as cwru").required();
   bind_cells(command, options);
   bind_nothing_known(command, options.nothing_known);
 }

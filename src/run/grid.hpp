@@ -45,7 +45,7 @@ struct Combination {
 /// Names a method in texts: "vae", or "vae by nearest" if the classifier is not the paper's.
 std::string name_by(const std::string& method, const std::string& classifier);
 
-/// The cells of one dataset.
+/// The cells of one data set.
 struct Grid {
   std::string dataset;
   std::vector<std::string> scored;  ///< methods with scores, in the requested order

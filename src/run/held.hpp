@@ -13,15 +13,15 @@
 
 namespace piae::run {
 
-/// Contents of a dataset's folder in addition to the request. Tables use all of it, so that a table
-/// of a part of the grid never replaces a fuller one.
+/// Contents of a data set's folder in addition to the request. Tables use all of it, so that a
+/// table of a part of the grid never replaces a fuller one.
 class Held {
  public:
   /// `leave_out` names stale files, or folders with everything in them, below the dataset's folder,
   /// such as "seed1/smote".
   explicit Held(const Layout& layout, const std::vector<std::string>& leave_out = {});
 
-  /// Counts only files that the folder of the other dataset holds, too.
+  /// Counts only files that the folder of the other data set holds, too.
   Held(const Layout& layout, const Layout& other, const std::vector<std::string>& leave_out);
 
   /// True if a file of the folder exists and may be used.
@@ -41,7 +41,7 @@ class Held {
  private:
   [[nodiscard]] bool exists(const std::filesystem::path& file) const;
 
-  std::vector<std::filesystem::path> folders_;  ///< its own, and the other dataset's
+  std::vector<std::filesystem::path> folders_;  ///< its own, and the other data set's
   std::vector<std::int64_t> seeds_;
   std::vector<std::filesystem::path> left_out_;  ///< below any of the folders
 };

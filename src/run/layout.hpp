@@ -20,7 +20,7 @@ inline const std::vector<std::string> table_names{
     "ranks.csv",    "decisions.csv", "confidence.csv", "recommendation.csv",
     "tables.md",    "tables.tex",    "summary.txt"};
 
-/// Paths of one dataset's artefacts and tables in the folder of a run. The make rules in pipeline/
+/// Paths of one data set's artefacts and tables in the folder of a run. The make rules in pipeline/
 /// use the same paths.
 class Layout {
  public:
@@ -29,7 +29,7 @@ class Layout {
   /// recompute them.
   Layout(const std::filesystem::path& run, const std::string& dataset);
 
-  /// Returns the same dataset in the run next to this one with a blocked split.
+  /// Returns the same data set in the run next to this one with a blocked split.
   [[nodiscard]] Layout blocked() const {
     std::filesystem::path run = folder_.parent_path();
     return {run += "-blocked", folder_.filename()};

@@ -32,7 +32,7 @@ bool Selection::has(const Combination& cell, std::int64_t seed) const {
 
 void bind(const cli::Options& command, Selection& selection) {
   const std::string all = "; default: all";
-  command.add("--datasets", selection.datasets, "Datasets to compare, such as: cwru hit-sm" + all);
+  command.add("--datasets", selection.datasets, "Data sets to compare, such as: cwru hit-sm" + all);
   command.add("--methods", selection.methods, "Methods, such as: none piae-dt" + all);
   command.add("--ratios", selection.ratios, "Ratios, such as: 100to1 10to1" + all);
   command.add("--seeds", selection.seeds, "Seeds, such as: 0 1" + all);

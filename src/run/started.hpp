@@ -16,7 +16,7 @@ namespace piae::run {
 /// what a run holds. Each option may be left out.
 void bind_started_cells(const cli::Options& command, GridOptions& options);
 
-/// The cells of one dataset that have started: their folders or logs exist.
+/// The cells of one data set that have started: their folders or logs exist.
 class Started {
  public:
   explicit Started(Layout layout);

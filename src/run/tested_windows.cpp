@@ -9,7 +9,7 @@ namespace piae::run {
 TestedWindows read_tested_windows(const artefact::Reader& reader, const std::string& dataset,
                                   std::int64_t seed) {
   signal::require_role(reader, signal::Role::test);
-  require_same(reader, "the dataset", reader.text("/", "dataset"), dataset);
+  require_same(reader, "the data set", reader.text("/", "dataset"), dataset);
   require_same(reader, "the seed",
                std::to_string(reader.integer("/", "seed", signal::ranges::seed)),
                std::to_string(seed));

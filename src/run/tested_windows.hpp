@@ -21,7 +21,7 @@ struct TestedWindows {
 using TestedWindowsBySeed = std::map<std::int64_t, TestedWindows>;
 
 /// Reads the test windows without their samples. Throws artefact::Refusal if the file belongs to
-/// another dataset or seed, is not a set of test windows, or has a window without a place.
+/// another data set or seed, is not a set of test windows, or has a window without a place.
 TestedWindows read_tested_windows(const artefact::Reader& reader, const std::string& dataset,
                                   std::int64_t seed);
 

@@ -28,7 +28,7 @@ std::vector<Label> read_labels(const artefact::Reader& reader, const std::string
   for (const Label label : labels) {
     if (label < 0 || index_of(label) >= classes) {
       reader.refuse(path, "holds class " + std::to_string(label) +
-                              ", but the dataset has classes 0 to " + std::to_string(classes - 1));
+                              ", but the data set has classes 0 to " + std::to_string(classes - 1));
     }
   }
   return labels;

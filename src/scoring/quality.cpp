@@ -57,9 +57,9 @@ void require_comparable(const signal::WindowSet& generated, const signal::Window
   };
   if (generated.info.name != real.info.name ||
       !std::ranges::equal(generated.info.classes, real.info.classes, same_name)) {
-    refuse("the generated windows belong to dataset " + generated.info.name +
-           ", the real ones to dataset " + real.info.name +
-           " or to other classes; score windows of one dataset");
+    refuse("the generated windows belong to data set " + generated.info.name +
+           ", the real ones to data set " + real.info.name +
+           " or to other classes; score windows of one data set");
   }
   if (generated.length != real.length) {
     refuse("generated windows have " + std::to_string(generated.length) + " samples, real ones " +

@@ -40,7 +40,7 @@ std::span<const Metric> all_metrics();
 /// Compares generated windows with real ones, class by class. The first n windows of each class of
 /// both sets are compared, in their stored order, where n is the smaller count. The bandwidth of
 /// the MMD comes from all real windows of the class. Throws Error(bad_input) if the sets differ in
-/// dataset or window length, if a class is in one set only, and if the real windows of a class do
+/// data set or window length, if a class is in one set only, and if the real windows of a class do
 /// not allow a comparison: fewer than two, all the same, or constant.
 std::vector<ClassQuality> quality_by_class(const signal::WindowSet& generated,
                                            const signal::WindowSet& real);

@@ -49,7 +49,7 @@ QualityRecord read_quality(const artefact::Reader& reader) {
   if (labels.empty()) reader.refuse("/labels", "is empty");
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] < 0 || index_of(labels[i]) >= classes || (i > 0 && labels[i] <= labels[i - 1])) {
-      reader.refuse("/labels", "are not labels of the dataset's classes in increasing order");
+      reader.refuse("/labels", "are not labels of the data set's classes in increasing order");
     }
     record.classes.push_back({.label = labels[i], .windows = windows[i]});
   }

@@ -139,13 +139,13 @@ Label DatasetInfo::healthy_label() const {
   std::vector<Label> healthy = labels();
   std::erase_if(healthy, [&](Label label) { return class_of(label).defect != Defect::none; });
   if (healthy.size() > 1) {
-    throw Error(Exit::bad_input, "dataset " + name + ": both " + class_of(healthy[0]).name +
+    throw Error(Exit::bad_input, "data set " + name + ": both " + class_of(healthy[0]).name +
                                      " and " + class_of(healthy[1]).name +
                                      " have defect 'none'; only one class may have it");
   }
   if (healthy.empty()) {
     throw Error(Exit::bad_input,
-                "dataset " + name + ": no class has defect 'none'; one class must have it");
+                "data set " + name + ": no class has defect 'none'; one class must have it");
   }
   return healthy.front();
 }

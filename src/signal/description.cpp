@@ -290,7 +290,7 @@ void require_different_names(const fs::path& file, const std::vector<RecordSourc
                                    "; rename the class that ends in a number");
 }
 
-/// Returns the records' sample rate for a dataset without its own. All records must have the same.
+/// Returns the records' sample rate for a data set without its own. All records must have the same.
 double common_rate(const TomlTable& root, const std::vector<RecordSource>& records) {
   for (const RecordSource& record : records) {
     if (record.sample_rate_hz != records.front().sample_rate_hz) {

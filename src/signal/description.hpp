@@ -27,7 +27,7 @@ struct RecordSource {
   std::string url;             ///< download address; empty if there is none
   std::string condition = {};  ///< empty: belongs to every condition
   std::optional<double> defect_size_mm = {};  ///< its own, if sizes differ within the class
-  /// Acceleration of one unit of the files; if empty, the dataset's.
+  /// Acceleration of one unit of the files; if empty, the data set's.
   std::optional<double> unit_m_per_s2 = {};
   double offset = 0;  ///< the files' value at zero acceleration
 
@@ -38,7 +38,7 @@ struct RecordSource {
 /// Settings of the stage split by their names, such as "windows-per-class".
 using SplitSettings = std::map<std::string, std::size_t>;
 
-/// A dataset description (pipeline/datasets/<name>.toml):
+/// A data set description (pipeline/datasets/<name>.toml):
 ///
 ///     name = "cwru"
 ///     sample_rate_hz = 12000      # resampling rate; without it all records must agree
@@ -56,17 +56,17 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     file = "cwru/105.mat"       # or a list of files, or a pattern: "run/acc_*.csv"
 ///     variable = "X105_DE_time"
 ///     sample_rate_hz = 12000
-///     shaft_speed_rpm = 1797      # optional, default: the dataset's
+///     shaft_speed_rpm = 1797      # optional, default: the data set's
 ///     condition = "0 HP"          # optional: the state of the machine, in any words
 ///     defect_size_mm = 0.1778     # optional, default: the class's, which may be
 ///                                 # missing if each record has its own
-///     unit_m_per_s2 = 0.01        # optional, default: the dataset's; with
+///     unit_m_per_s2 = 0.01        # optional, default: the data set's; with
 ///     offset = 2048               # the value at zero acceleration, as in counts
 ///     sha256 = "..."              # optional
 ///     url = "https://..."         # optional
 ///     [transfer]                  # optional: faults known in one condition, tested in another
 ///                                 # (described_conditions.hpp)
-///     [split]                     # optional: settings of the stage split for this dataset alone,
+///     [split]                     # optional: settings of the stage split for this data set alone,
 ///     known-per-class = 5         # replacing those of the protocol
 ///
 /// or windows-per-class = 300, test-per-class = 50 for short recordings. (All of
@@ -79,7 +79,7 @@ struct Description {
 
 /// Reads a description. Throws Error(bad_input) with the file, line and key for unknown or missing
 /// keys, wrong types, duplicate names, unknown classes, classes without a record, impossible
-/// conditions, and different rates without a sample_rate_hz of the dataset. Throws
+/// conditions, and different rates without a sample_rate_hz of the data set. Throws
 /// Error(input_missing) if the file is missing.
 Description read_description(const std::filesystem::path& file);
 

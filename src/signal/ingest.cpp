@@ -31,7 +31,7 @@ void require_file(const fs::path& file, const RecordSource& source, const std::s
       is_pattern(file.filename().string()) ? "matches no file" : "no such file";
   throw Error(Exit::input_missing,
               file.string() + ": " + (is_there ? "is not a file" : none) + "; record " +
-                  source.name + " of dataset " + dataset +
+                  source.name + " of data set " + dataset +
                   " needs it; run `make data`, or give the folder that holds " +
                   source.file_text() + " as DATA_DIR= (--data-dir)");
 }
@@ -54,7 +54,7 @@ void require_finite(const fs::path& file, const RecordSource& source,
                     std::to_string(*beyond) + " (counted from 0)");
 }
 
-/// Converts samples of a record's file to the unit of the dataset.
+/// Converts samples of a record's file to the unit of the data set.
 void scale(std::span<double> samples, const RecordSource& source, double unit_m_per_s2) {
   if (!source.unit_m_per_s2 && source.offset == 0) return;
   const double factor = source.unit_m_per_s2.value_or(unit_m_per_s2) / unit_m_per_s2;
@@ -121,7 +121,7 @@ Record RecordReader::resampled(const RecordSource& source, RawRecord raw) const 
   if (samples > most_samples) {
     refuse_record(
         all, source,
-        "would have more than 1e8 samples at the dataset's rate; check both sample rates");
+        "would have more than 1e8 samples at the data set's rate; check both sample rates");
   }
   Record record{.name = source.name,
                 .label = source.label,
@@ -154,7 +154,7 @@ void RecordReader::resample_pieces(const RecordSource& source, const RawRecord& 
     rest = rest.subspan(piece.samples);
     if (samples.empty()) {
       refuse_record(data_dir_ / source.file_text(), source,
-                    "is shorter than one sample at the dataset's rate");
+                    "is shorter than one sample at the data set's rate");
     }
     record.pieces.push_back(samples.size());
     record.signal.insert(record.signal.end(), samples.begin(), samples.end());

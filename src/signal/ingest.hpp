@@ -20,8 +20,8 @@ struct RawRecord {
   std::vector<SourceFile> files;
 };
 
-/// Reads the raw files of a dataset below `data_dir` one by one, checks them, and resamples each
-/// record to the dataset's rate. Converts samples to the dataset's unit.
+/// Reads the raw files of a data set below `data_dir` one by one, checks them, and resamples each
+/// record to the data set's rate. Converts samples to the data set's unit.
 class RecordReader {
  public:
   RecordReader(const Description& description, std::filesystem::path data_dir);
@@ -35,7 +35,7 @@ class RecordReader {
 
   /// The two halves of read(), so that callers can examine the samples before resampling.
   /// read_raw() checks the files and remembers the samples, so a second call for the same record
-  /// throws. resampled() converts to the rate and the unit of the dataset.
+  /// throws. resampled() converts to the rate and the unit of the data set.
   RawRecord read_raw(const RecordSource& source);
   [[nodiscard]] Record resampled(const RecordSource& source, RawRecord raw) const;
 
@@ -52,7 +52,7 @@ class RecordReader {
 /// Callback, called with the number of finished records after each record.
 using RecordsDone = std::function<void(std::size_t)>;
 
-/// Reads all records of a dataset and passes them on one by one, because together they may exceed
+/// Reads all records of a data set and passes them on one by one, because together they may exceed
 /// the memory. Throws RecordReader's error at the first unreadable record.
 void ingest(const Description& description, const std::filesystem::path& data_dir,
             const std::function<void(const Record&)>& take);

@@ -26,7 +26,7 @@ struct SourceFile {
 /// `sha256sum`: one line "SHA256  NAME" each.
 std::string sha256_of(const std::vector<SourceFile>& files);
 
-/// One signal of one class, at the dataset's sample rate.
+/// One signal of one class, at the data set's sample rate.
 struct Record {
   std::string name;  ///< unique: "IR007", "IR007-03"
   Label label = 0;
@@ -34,9 +34,9 @@ struct Record {
   double shaft_speed_rpm = 0;
   std::string source;          ///< files below DATA_DIR, as described, or "simulated"
   std::string source_sha256;   ///< of all files, by sha256_of(); empty if simulated
-  std::vector<double> signal;  ///< acceleration, in the dataset's unit
+  std::vector<double> signal;  ///< acceleration, in the data set's unit
   std::optional<DynamicParameters> parameters;  ///< true values, if simulated
-  std::int32_t condition = every_condition;     ///< index into the dataset's conditions
+  std::int32_t condition = every_condition;     ///< index into the data set's conditions
   std::optional<double> defect_size_mm = {};    ///< its own, if sizes differ within the class
   /// Samples of the signal from each file, in order. A window does not cross from one piece into
   /// the next. Empty for a signal in one piece.

@@ -200,7 +200,7 @@ void add_noise(const Simulation& simulation, Recordings& recordings) {
 Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable root(file);
   if (!root.has("simulation")) {
-    root.refuse("simulation", "is missing: this dataset is not simulated; run ingest instead");
+    root.refuse("simulation", "is missing: this data set is not simulated; run ingest instead");
   }
   Simulation simulation;
   std::vector<TomlTable> classes = root.tables("class");

@@ -11,9 +11,9 @@
 
 namespace piae::signal {
 
-/// A simulated dataset (pipeline/datasets/simulated.toml). Its description begins like all others
+/// A simulated data set (pipeline/datasets/simulated.toml). Its description begins like all others
 /// (signal/description.hpp), with sample_rate_hz and without [[record]]. A table [simulation] with
-/// the keys below marks a simulated dataset.
+/// the keys below marks a simulated data set.
 ///
 ///     [simulation]
 ///     seed = 0                    # another seed, another realisation

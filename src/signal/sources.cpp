@@ -29,7 +29,7 @@ std::vector<Share> shares_of(bool healthy, const Counts& counts) {
   return {test, {Role::known, counts.known}, hidden};
 }
 
-/// Returns one source for each condition of the class. In a dataset with conditions, records of
+/// Returns one source for each condition of the class. In a data set with conditions, records of
 /// every condition give one source for each speed. Sorted by condition and speed.
 std::vector<Source> empty_sources(const DatasetInfo& info, Label label,
                                   std::span<const RecordPlace> records) {
@@ -81,7 +81,7 @@ std::size_t Source::count_of(Role role) const {
 std::string speed_label(double speed_rpm) { return fmt::format("{:g} rpm", speed_rpm); }
 
 std::string name_of(const DatasetInfo& info, Label label, const Source& source) {
-  std::string name = "dataset " + info.name + ", class " + info.class_of(label).name;
+  std::string name = "data set " + info.name + ", class " + info.class_of(label).name;
   if (source.condition != every_condition) {
     name += ", condition " + info.conditions[static_cast<std::size_t>(source.condition)].name;
   }
@@ -98,8 +98,9 @@ std::vector<Source> sources_of(const DatasetInfo& info, Label label,
       if (is_for(info, source, share.role)) givers.push_back(&source);
     }
     if (givers.empty()) {
-      throw Error(Exit::bad_input, "dataset " + info.name + ", class " + info.class_of(label).name +
-                                       ": has no record for role " + to_string(share.role));
+      throw Error(Exit::bad_input, "data set " + info.name + ", class " +
+                                       info.class_of(label).name + ": has no record for role " +
+                                       to_string(share.role));
     }
     share_out(share, givers, stream);
   }

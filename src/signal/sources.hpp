@@ -57,7 +57,7 @@ struct RecordPlace {
 /// role takes windows from its conditions and from records of every condition, as evenly as
 /// possible. `stream` decides which sources give one window more. Records of every condition are
 /// one source, or one for each speed, so that each tested speed also has healthy training windows.
-/// A dataset without conditions has one source.
+/// A data set without conditions has one source.
 ///
 /// Throws Error(bad_input) if a role finds no record.
 std::vector<Source> sources_of(const DatasetInfo& info, Label label,

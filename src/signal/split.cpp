@@ -47,7 +47,7 @@ constexpr Setting settings[] = {
 void require_a_fault_class(const DatasetInfo& info) {
   (void)info.healthy_label();
   if (info.classes.size() < 2) {
-    throw Error(Exit::bad_input, "dataset " + info.name + ": has no fault class");
+    throw Error(Exit::bad_input, "data set " + info.name + ": has no fault class");
   }
 }
 

@@ -51,7 +51,7 @@ void require_sensible(const SplitOptions& options);
 /// Returns the counts for one class.
 Counts counts_of(const SplitOptions& options);
 
-/// A dataset split into the four roles. With the paper's numbers A has 100 windows of every class,
+/// A data set split into the four roles. With the paper's numbers A has 100 windows of every class,
 /// B the other 500 healthy windows, C 5 of every fault class, and D the other 495. Without known
 /// windows C is empty, and the other roles are as always.
 struct Split {
@@ -75,13 +75,12 @@ struct Split {
 ///            wrapping round at the end: a block for A, one for C, one for D (healthy class: A, B).
 ///            Windows after each block are left out, so that at least guard_windows window lengths
 ///            of a record lie unused between two roles. The stride allows for these gaps.
-/// If the dataset distinguishes conditions, each is split separately, with its share of the windows
-/// (sources.hpp): A and D come only from tested conditions, C from known ones, B from those for
-/// healthy windows.
-/// Random numbers come from the stream "<dataset>/seed<k>/split/<class>". Windows keep the unit of
-/// the recording, and the true (k, c) if all records have them. Throws as require_sensible(), and
-/// Error(bad_input) if the records of a class are too short; the message names the class and how
-/// many windows fit.
+/// If the data set distinguishes conditions, each is split separately, with its share of the
+/// windows (sources.hpp): A and D come only from tested conditions, C from known ones, B from those
+/// for healthy windows. Random numbers come from the stream "<dataset>/seed<k>/split/<class>".
+/// Windows keep the unit of the recording, and the true (k, c) if all records have them. Throws as
+/// require_sensible(), and Error(bad_input) if the records of a class are too short; the message
+/// names the class and how many windows fit.
 Split split(const Recordings& recordings, const SplitOptions& options);
 
 /// Writes the windows of one role and /classes/stride. Root attributes: role, protocol, seed and

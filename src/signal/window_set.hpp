@@ -26,7 +26,7 @@ struct WindowSet {
   /// [n] (k, c) of each simulated window, or window generated from them; else empty.
   std::vector<DynamicParameters> parameters;
   /// [n] condition of each window, an index into info.conditions or every_condition, and shaft
-  /// speed. Empty if the dataset distinguishes no conditions or the generator does not know them.
+  /// speed. Empty if the data set distinguishes no conditions or the generator does not know them.
   std::vector<std::int32_t> condition;
   std::vector<double> shaft_speed_rpm;
   /// [n] defect size of each window, if the records of a class differ in size; else empty.
@@ -53,7 +53,7 @@ struct WindowSet {
   [[nodiscard]] std::vector<std::size_t> indices_of(Label label) const;
   [[nodiscard]] std::size_t count_of(Label label) const;
 
-  /// Appends window i of another set of the same dataset and length. Keeps places and other
+  /// Appends window i of another set of the same data set and length. Keeps places and other
   /// optional data only while all windows have them. Throws std::logic_error for another length.
   void append(const WindowSet& other, std::size_t i);
 };

@@ -126,7 +126,7 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
   if (!windows.info.has_bearing) {
     throw Error(
         Exit::bad_input,
-        "dataset " + windows.info.name +
+        "data set " + windows.info.name +
             " does not describe its bearing, which gives the fault lines; add [bearing] to its "
             "description, or choose another --classifier, such as wdcnn");
   }

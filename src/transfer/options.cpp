@@ -97,7 +97,7 @@ void require_sense(CarryOptions options, const signal::WindowSet& known,
     if (find_spectrum(healthy, condition) == nullptr) {
       throw Error(Exit::usage,
                   "--background-from healthy: needs healthy windows of the tested condition; give "
-                  "--healthy B.h5 of a dataset whose [transfer] includes them");
+                  "--healthy B.h5 of a data set whose [transfer] includes them");
     }
   }
 }

@@ -17,7 +17,7 @@ std::vector<signal::DynamicParameters> infer(const artefact::Reader& model,
     throw Error(Exit::bad_input,
                 model.path().string() +
                     ": was trained on windows of another length or number of classes "
-                    "than the windows to infer (k, c) from; give windows of its dataset");
+                    "than the windows to infer (k, c) from; give windows of its data set");
   }
   const std::unique_ptr<StoredTwin> networks = engine.open(model, description, variant);
   std::vector<signal::DynamicParameters> inferred;

@@ -141,13 +141,13 @@ TEST_F(Rules, CompareWindowsOfOneSpeed) {
 TEST_F(Rules, NeedFaultsOfTheBearing) {
   normal_.info.classes[2].defect = signal::Defect::other;
   EXPECT_ERROR(named_by_rule(normal_, test_, Rule::exclusion), Exit::bad_input,
-               "class OR of dataset toy has defect 'other', which does not have a fault line");
+               "class OR of data set toy has defect 'other', which does not have a fault line");
 }
 
 TEST_F(Rules, NeedOneClassPerFaultType) {
   normal_.info.classes[2].defect = signal::Defect::inner;
   EXPECT_ERROR(named_by_rule(normal_, test_, Rule::envelope), Exit::bad_input,
-               "dataset toy has several classes of one type, IR and OR");
+               "data set toy has several classes of one type, IR and OR");
 }
 
 }  // namespace

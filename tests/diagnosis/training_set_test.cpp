@@ -154,7 +154,7 @@ TEST_F(TrainingSet, NeedsEachClassInItsSetOnly) {
 TEST_F(TrainingSet, RefusesSetsOfDifferentOrigin) {
   const WindowSet good_known = known;
   known.info.name = "cwru";
-  expect_error(Exit::bad_input, "--known: is of dataset cwru, but --normal has toy", nullptr, 0);
+  expect_error(Exit::bad_input, "--known: is of data set cwru, but --normal has toy", nullptr, 0);
 
   known = good_known;
   known.info.classes[1].name = "IR007";

@@ -35,7 +35,7 @@ TEST(FaultLines, LieAtTheFrequenciesOfTheBearing) {
   EXPECT_EQ(line_name(Defect::roller), "2BSF");
 }
 
-/// A record has the lines of its own speed, not of the dataset's: at 900 rpm half those at 1800.
+/// A record has the lines of its own speed, not of the data set's: at 900 rpm half those at 1800.
 TEST(FaultLines, FollowTheSpeedOfEachRecord) {
   signal::DatasetInfo info;
   info.conditions = {

@@ -65,7 +65,8 @@ TEST_F(DefaultLists, CoverTheGroupsForATransfer) {
   EXPECT_THAT(lists.datasets, ElementsAre("made", "real"));
   EXPECT_THAT(lists.methods, ElementsAre("none", "smote"));
   EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
-  EXPECT_THAT(lists.classifiers, ElementsAre("wdcnn", "wdcnn-spectra", "nearest", "nearest-orders"));
+  EXPECT_THAT(lists.classifiers,
+              ElementsAre("wdcnn", "wdcnn-spectra", "nearest", "nearest-orders"));
 }
 
 }  // namespace

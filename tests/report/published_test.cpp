@@ -107,7 +107,7 @@ TEST_F(PublishedTables, RefuseContradictingFigures) {
 
 TEST_F(PublishedTables, RefuseADatasetTwice) {
   expect_refused(baseline_, "dataset,run1,average\ncwru,1,1\ncwru,1,1\n",
-                 ", line 3: names dataset cwru again");
+                 ", line 3: names data set cwru again");
 }
 
 TEST_F(PublishedTables, RefuseAFileWithoutATable) {

@@ -1,4 +1,4 @@
-// Mean accuracy of methods over datasets.
+// Mean accuracy of methods over data sets.
 
 #include "report/transfer.hpp"
 
@@ -24,13 +24,13 @@ AccuracyRow row_by(const std::string& classifier, AccuracyRow row) {
   return row;
 }
 
-/// Returns the rows with the name of their dataset.
+/// Returns the rows with the name of their data set.
 DatasetRows dataset_of(const std::string& name, std::vector<AccuracyRow> rows) {
   for (AccuracyRow& row : rows) row.dataset = name;
   return {name, std::move(rows)};
 }
 
-/// Five seeds of two datasets. The means over both are: strike-twin 80 at every seed; none 79, 78,
+/// Five seeds of two data sets. The means over both are: strike-twin 80 at every seed; none 79, 78,
 /// 77, 76, 75 by its recorded input and 79 by another; shift 81, 78, 77, 76, 75; none by nearest
 /// 81, 82, 77, 76, 75. vae has no recorded input.
 std::vector<DatasetRows> two_datasets() {
@@ -153,7 +153,7 @@ TEST(TransferGroup, WritesMarkdown) {
   EXPECT_THAT(text, Not(HasSubstr("by kind")));
 }
 
-/// By fault type every method has 100 and 90 on the datasets, mean 95; none by wdcnn has 100.
+/// By fault type every method has 100 and 90 on the data sets, mean 95; none by wdcnn has 100.
 TEST(TransferGroup, ShowsTheKindOfDefectIfAllDatasetsHaveIt) {
   std::vector<DatasetRows> datasets = two_datasets();
   datasets[0].types = datasets[0].rows;
@@ -231,7 +231,7 @@ TEST(TransferGroup, IsAtMost100Wide) {
   }
 }
 
-/// A run of two datasets at two seeds: none by wdcnn and nearest, and smote by wdcnn.
+/// A run of two data sets at two seeds: none by wdcnn and nearest, and smote by wdcnn.
 class TransferOfARun : public StoredRun {
  protected:
   TransferOfARun() : StoredRun("one") {

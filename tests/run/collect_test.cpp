@@ -138,7 +138,7 @@ TEST_F(Cells, AreRefusedInTheWrongPlace) {
   expect_refused(diagnosis("vae", "2to1", 145, 0, 9), "the seed is 0, here it must be 1");
   scoring::DiagnosisRecord other = diagnosis("vae", "2to1", 145, 1, 9);
   other.info.name = "hit-sm";
-  expect_refused(other, "the dataset is hit-sm, here it must be cwru");
+  expect_refused(other, "the data set is hit-sm, here it must be cwru");
 }
 
 TEST_F(Cells, AreRefusedIfTheyDoNotBelongTogether) {

@@ -31,7 +31,7 @@ TEST_F(TestedWindowsOfARun, GiveTheirRecords) {
 TEST_F(TestedWindowsOfARun, AreRefusedInTheWrongPlace) {
   save_tested_windows(layout_, "cwru", 3, {1, 2}, {{1, 0}, {500, 0}});
   const artefact::Reader reader(layout_.windows("A", 3), "windows");
-  EXPECT_ERROR(read_tested_windows(reader, "hit-sm", 3), Exit::bad_input, "dataset is cwru");
+  EXPECT_ERROR(read_tested_windows(reader, "hit-sm", 3), Exit::bad_input, "data set is cwru");
   EXPECT_ERROR(read_tested_windows(reader, "cwru", 4), Exit::bad_input, "seed is 3");
   save_tested_windows(layout_, "cwru", 3, {1, 2}, {{1}, {500, 0}});
   EXPECT_ERROR(read_tested_windows(artefact::Reader(layout_.windows("A", 3), "windows"), "cwru", 3),

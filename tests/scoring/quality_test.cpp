@@ -150,7 +150,7 @@ TEST(QualityByClass, RefusesAClassThatOneSideLacks) {
 TEST(QualityByClass, RefusesAnotherDatasetOrLength) {
   signal::WindowSet generated = real_set();
   generated.info.name = "other";
-  expect_refused(generated, real_set(), "belong to dataset other, the real ones to dataset toy");
+  expect_refused(generated, real_set(), "belong to data set other, the real ones to data set toy");
   generated = real_set();
   generated.info.classes[2].name = "B";
   expect_refused(generated, real_set(), "other classes");

@@ -64,7 +64,7 @@ TEST(Ingest, ScalesARecordWithItsOwnUnit) {
   EXPECT_EQ(r.records[1].signal, (std::vector<double>{1, 2, 3, 4}));
 }
 
-/// Returns one record of three files, at twice the rate of the dataset.
+/// Returns one record of three files, at twice the rate of the data set.
 Description many_files_in(const Folder& folder) {
   Description d = description_in(folder);
   folder.write("run/acc_10.csv", "7\n9\n7\n9\n7\n9\n");

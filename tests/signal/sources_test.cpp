@@ -124,7 +124,7 @@ TEST(Sources, IgnoreRolesWithoutWindows) {
 TEST(Sources, RefuseRolesWithoutARecord) {
   const std::vector<RecordPlace> records{{cracked_label, 0}, {cracked_label, 1}};
   EXPECT_ERROR(sources_of(transfer(), cracked_label, records, paper, Stream("s")), Exit::bad_input,
-               "dataset rig, class cracked: has no record for role A");
+               "data set rig, class cracked: has no record for role A");
 }
 
 }  // namespace

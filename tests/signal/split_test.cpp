@@ -230,7 +230,7 @@ TEST_P(Protocols, KeepTrueParametersIfAllRecordsHaveThem) {
 
 TEST_P(Protocols, RefuseShortRecords) {
   EXPECT_ERROR(split(counting_recordings(1500), options_of(GetParam())), Exit::bad_input,
-               "dataset counting, class N: 600 windows of 1024 samples do not fit");
+               "data set counting, class N: 600 windows of 1024 samples do not fit");
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Protocols, testing::Values(Protocol::random, Protocol::blocked),

@@ -41,7 +41,7 @@ TEST_F(CheckStage, StoredRunEqualsItself) {
   const Outcome other = tiny_.run("check", compared);
   EXPECT_EQ(other.status, 1);
   EXPECT_NE(other.out.find("1 moved, 1 outside"), std::string::npos) << other.out;
-  EXPECT_NE(other.err.find("check: run differs from the reference on 1 of 1 datasets"),
+  EXPECT_NE(other.err.find("check: run differs from the reference on 1 of 1 data sets"),
             std::string::npos)
       << other.err;
 }

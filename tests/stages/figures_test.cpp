@@ -93,7 +93,7 @@ Arguments report_of(const Arguments& requested) {
 TEST_F(Report, UsesAllCellsOfTheRunAndNamesMissingOnes) {
   const Outcome whole = tiny.run("report", report_of({}));
   ASSERT_EQ(whole.status, 0) << whole.err;
-  EXPECT_THAT(whole.out, HasSubstr("reported 1 datasets, 0 cells missing"));
+  EXPECT_THAT(whole.out, HasSubstr("reported 1 data sets, 0 cells missing"));
   const std::string html = bytes_of(tiny / "run/report.html");
   EXPECT_THAT(html, HasSubstr("All 2 diagnoses and 1 score are there."));
   EXPECT_THAT(html, Not(HasSubstr("http://")));
@@ -108,7 +108,7 @@ TEST_F(Report, NamesADatasetThatWasNotStarted) {
   fs::create_directories(tiny / "run/simulated/seed0");
   const Outcome outcome = tiny.run("report", report_of({}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("reported 1 datasets, 0 cells missing"));
+  EXPECT_THAT(outcome.out, HasSubstr("reported 1 data sets, 0 cells missing"));
   EXPECT_THAT(outcome.err, HasSubstr("run/hit-sm: no method was started"));
   EXPECT_THAT(outcome.err, HasSubstr("run/simulated: no method was started"));
 }

@@ -129,7 +129,7 @@ TEST_F(IngestCheck, WarnsOfARateThatIsTooHigh) {
   const std::vector<std::string> warnings = warnings_in(outcome.out);
   ASSERT_EQ(warnings.size(), 1U) << outcome.out;
   EXPECT_THAT(warnings.front(), HasSubstr("sample_rate_hz = 1.2e+07 are 0.006 s"));
-  EXPECT_THAT(outcome.out, HasSubstr("\ndataset rig, class IR007: 600 windows of 1024"));
+  EXPECT_THAT(outcome.out, HasSubstr("\ndata set rig, class IR007: 600 windows of 1024"));
 }
 
 TEST_F(IngestCheck, WarnsOfSmallStrides) {
@@ -151,7 +151,7 @@ TEST_F(IngestCheck, GoesByTheDescriptionsOwnSplit) {
   EXPECT_THAT(refused.out, HasSubstr("at most 477 fit, at stride 1: lower windows-per-class (and "
                                      "test-per-class) or window, in [split] of the description"));
   EXPECT_EQ(refused.err,
-            "ingest: dataset rig has problems, see above; correct its description or its files\n");
+            "ingest: data set rig has problems, see above; correct its description or its files\n");
   describe(good_description +
            "[split]\nwindows-per-class = 60\ntest-per-class = 20\nwindow = 512\n");
   const Outcome outcome = run();

@@ -17,7 +17,7 @@
 
 namespace piae::stages {
 
-/// A simulated dataset that takes a fraction of a second: three classes with two short records
+/// A simulated data set that takes a fraction of a second: three classes with two short records
 /// each.
 inline const std::string tiny_description = described_bearing("tiny") + described_normal +
                                             described_ir007 + described_or021 +

@@ -2,7 +2,7 @@
 
 #include "stages/tiny.hpp"
 
-/// Methods averaged over datasets, from cells of the other stages.
+/// Methods averaged over data sets, from cells of the other stages.
 namespace piae::stages {
 namespace {
 
@@ -28,7 +28,7 @@ TEST_F(TransferStage, WritesTheTablesOfTheGroup) {
   const Outcome outcome = tiny_.run("transfer", transfer);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "averaged 3 pairs of method and input over 1 datasets: run/transfer@g.md\n");
+            "averaged 3 pairs of method and input over 1 data sets: run/transfer@g.md\n");
   const std::string csv = bytes_of(tiny_ / "run/transfer@g.csv");
   EXPECT_NE(csv.find("\nmean,,piae-dt,against,wdcnn,1,1,50to1,mean,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\ntiny,,none,bar,nearest,0,0,100to1,0,"), std::string::npos) << csv;
@@ -50,7 +50,7 @@ TEST_F(TransferStage, ReadsTheGroupFromTheProtocol) {
   EXPECT_NE(bytes_of(tiny_ / "run/transfer@g.csv").find(",piae-dt,against,"), std::string::npos);
 }
 
-/// A seed that one of the datasets lacks is a missing cell.
+/// A seed that one of the data sets lacks is a missing cell.
 TEST_F(TransferStage, NamesAMissingCellAndWritesNothing) {
   const std::set<std::string> before = tiny_.files();
   const Outcome outcome = tiny_.run("transfer", with(transfer, "--seeds", "1"));
@@ -66,7 +66,7 @@ TEST_F(TransferStage, RefusesCellsOfAnotherDataset) {
   fs::copy(tiny_ / "run/tiny", tiny_ / "run/other", fs::copy_options::recursive);
   const Outcome outcome = tiny_.run("transfer", with(transfer, "--datasets", "other"));
   EXPECT_EQ(outcome.status, 65);
-  EXPECT_NE(outcome.err.find("the dataset is tiny, here it must be other"), std::string::npos)
+  EXPECT_NE(outcome.err.find("the data set is tiny, here it must be other"), std::string::npos)
       << outcome.err;
 }
 

@@ -14,7 +14,7 @@
 
 namespace piae {
 
-/// A run in a temporary folder: a dataset with three classes and 20 windows in A.
+/// A run in a temporary folder: a data set with three classes and 20 windows in A.
 class StoredRun : public testing::Test {
  protected:
   explicit StoredRun(std::string dataset = "cwru") : dataset_(std::move(dataset)) {}

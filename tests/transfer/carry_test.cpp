@@ -251,7 +251,7 @@ TEST(Carrier, NeedsHealthyWindowsOfTheTestedConditionForTheirBackground) {
   const std::vector<impacts::Edges> edges = true_edges(known);
   CarryOptions options;
   options.background_from = BackgroundFrom::healthy;
-  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5 of a dataset");
+  EXPECT_ERROR(Carrier(known, edges, options), Exit::usage, "give --healthy B.h5 of a data set");
   // The background is a single line at 3 kHz, and nothing else is there.
   Eigen::ArrayXd line = Eigen::ArrayXd::Constant(1025, -20);
   line[512] = 0;
