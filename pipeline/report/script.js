@@ -1,4 +1,4 @@
-// What report.html and run.html do beyond standing there: tables can be sorted and filtered, and details are
+// Behaviour of report.html and run.html beyond plain pages: tables can be sorted and filtered, and details are
 // open on paper. Without it everything is still to be read.
 "use strict";
 

@@ -11,7 +11,7 @@ namespace piae::augment {
 
 /// Returns for each known window how many of its nearest real windows, the known and the healthy
 /// ones, belong to another class. `among` is the number of nearest windows. At equal distances
-/// known windows come first. Throws Error(usage) if there are not so many other real windows.
+/// known windows come first. Throws Error(usage) if fewer other real windows exist.
 std::vector<std::int64_t> foreign_neighbours(const signal::WindowSet& known,
                                              const signal::WindowSet& healthy, int among);
 

@@ -37,7 +37,7 @@ struct MissingCell {
   std::filesystem::path log = {};  ///< relative to the folder of the run; empty if none
 };
 
-/// Errors from collecting a dataset, by the file that each names. There may be as many as cells.
+/// Errors from collecting a data set, by the file that each names. There may be as many as cells.
 class ProblemsByFile {
  public:
   ProblemsByFile(const run::Layout& layout, const std::vector<std::string>& problems);
@@ -91,8 +91,8 @@ struct DatasetContents {
   std::vector<RecordInput> records = {};
 };
 
-/// Reads all cells of a dataset, its records and the logs of missing cells. Missing or damaged
-/// files are not errors but missing cells (Hole). `leave_out` are files that are out of date, as
+/// Reads all cells of a data set, its records and the logs of missing cells. Missing or damaged
+/// files are not errors but missing cells. `leave_out` are files that are out of date, as
 /// for run::Held.
 DatasetContents read_dataset(const std::filesystem::path& run, const run::Grid& requested,
                              const std::vector<std::string>& leave_out,

@@ -46,7 +46,7 @@ std::vector<FigureContents> read_figures(const std::filesystem::path& run,
 /// numbers, small files before large ones.
 void choose_attachments(const std::vector<FigureContents*>& figures, std::size_t most_bytes);
 
-/// Returns the figures of a dataset, each with an anchor, a caption that explains it, its numbers
+/// Returns the figures of a data set, each with an anchor, a caption that explains it, its numbers
 /// to save and their source. The missing figures follow, with the reasons.
 Html figures_view(const std::string& dataset, const std::vector<FigureContents>& figures);
 

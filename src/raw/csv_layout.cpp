@@ -29,7 +29,7 @@ constexpr std::size_t most_lines_of_numbers = 200;
 /// Stands for the separator of a single column.
 constexpr char no_separator = ';';
 
-/// True for words that stand in the place of a sample, such as OVL.
+/// True for words that instruments write instead of a sample, such as OVL.
 bool is_missing_sample(std::string_view field) {
   constexpr std::array words{"OVL",  "OVLD", "OVER",   "OVERLOAD", "OVERFLOW", "OVERRANGE",
                              "OVF",  "OVR",  "OFL",    "OL",       "NA",       "N/A",

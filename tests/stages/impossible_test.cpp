@@ -243,7 +243,7 @@ TEST_F(Impossible, ModelsOfTheStrikeTwin) {
   expect_model_refused(
       "strike-twin", {"--healthy", "B.h5"},
       {
-          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0),
+          {"a rate too low for the impacts", attribute("/", "sample_rate_hz", 100.0),
            "impacts per second"},
           {"knots 2^40", attribute("/equaliser", "knots", huge), "knots"},
           {"background 2", attribute("/carry", "background", 2.0), "background"},
@@ -272,7 +272,7 @@ TEST_F(Impossible, ModelsOfTheStrikeTwin) {
                                           [](auto& conditions) { conditions[0] = 3; });
            },
            "/healthy/condition"},
-          {"a lag before the blow", first_number("/edges/lag_s", -1.0), "/edges/lag_s"},
+          {"a lag before the impact", first_number("/edges/lag_s", -1.0), "/edges/lag_s"},
           {"an exit of 2", first_number("/edges/exit", 2.0), "/edges/exit"},
       });
 }
@@ -284,7 +284,7 @@ TEST_F(Impossible, ModelsOfMethodsWithoutKnownFaults) {
   expect_model_refused(
       "piae-dt-zero", {"--healthy", "B.h5"},
       {
-          {"a rate that shows no rhythm", attribute("/", "sample_rate_hz", 100.0),
+          {"a rate too low for the impacts", attribute("/", "sample_rate_hz", 100.0),
            "impacts per second"},
           {"a fault among the healthy windows", of_a_fault, "IR007"},
           {"slip 1", attribute("/prior", "slip", 1.0), "slip"},

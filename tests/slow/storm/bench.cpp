@@ -145,7 +145,7 @@ Verdict Workbench::judge(const Consumer& consumer, const std::string& bytes, boo
   verdict.finding = odd(consumer, verified, outcome, made);
   if (!verdict.finding.empty() || !same_content) return verdict;
   if (consumer.starts_anew() && outcome.status != 0) {
-    verdict.finding = consumer.stage + " did not start anew: " + outcome.err;
+    verdict.finding = consumer.stage + " did not restart: " + outcome.err;
     return verdict;
   }
   if (outcome.status == 0 && made != made_of_good_.at({consumer.file, consumer.stage})) {
