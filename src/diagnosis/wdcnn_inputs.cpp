@@ -13,7 +13,8 @@ namespace piae::diagnosis {
 
 namespace {
 
-/// A spectrum of a window in which the shaft makes `turns`, with at least the given number of bands.
+/// A spectrum of a window in which the shaft makes `turns`, with at least the given number of
+/// bands.
 using Spectrum = Eigen::ArrayXd (*)(const scoring::Windows& window, double turns,
                                     Eigen::Index least_bands, double floor);
 

@@ -21,8 +21,8 @@ struct Measured {
   double value = 0;  ///< mean over the fault classes for a metric
 };
 
-/// All numbers of a run on one data set, and the settings that made them. There are several versions
-/// or settings if the cells come from several builds or machines.
+/// All numbers of a run on one data set, and the settings that made them. There are several
+/// versions or settings if the cells come from several builds or machines.
 struct Measurements {
   std::string dataset;
   signal::Protocol protocol = signal::Protocol::random;  ///< of the splits
