@@ -50,10 +50,6 @@ bool are_a_pair(std::span<const double> samples, std::size_t first) {
          std::max(one, other) > times_farther_in_pair * range.half;
 }
 
-bool is_lone(std::span<const double> samples, std::size_t i) {
-  return is_alone(samples, i) || are_a_pair(samples, i) || (i > 0 && are_a_pair(samples, i - 1));
-}
-
 }  // namespace
 
 LoneSamples lone_samples(std::span<const double> samples) {
@@ -62,12 +58,15 @@ LoneSamples lone_samples(std::span<const double> samples) {
       std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
   std::vector<std::size_t> candidates;
   LoneSamples lone;
+  bool ends_pair = false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (is_lone(samples, i)) {
+    const bool begins_pair = are_a_pair(samples, i);
+    if (begins_pair || ends_pair || is_alone(samples, i)) {
       candidates.push_back(i);
     } else {
       lone.others = std::max(lone.others, std::abs(samples[i] - mean));
     }
+    ends_pair = begins_pair;
   }
   double farthest = lone.others;
   for (const std::size_t i : candidates) {

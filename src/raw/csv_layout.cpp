@@ -462,10 +462,11 @@ class Search {
                       "has no column " + column_ + "; columns are 1 to " + std::to_string(count));
     }
     if (header == &lines_.front() && count_columns(*header) > 0) {
-      refuse_csv_line(file_, header->number,
-                      fmt::format("has no column {}, because there is no header; name the column "
-                                  "by its number, 1 to {}",
-                                  column_, count));
+      refuse_csv_line(
+          file_, header->number,
+          fmt::format("has no column {}, because the table lacks a header; name the column "
+                      "by its number, 1 to {}",
+                      column_, count));
     }
     if (std::ranges::any_of(names, has_control_characters)) {
       refuse_csv_line(

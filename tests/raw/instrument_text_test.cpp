@@ -451,9 +451,10 @@ TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
     expect_refused(rows, "1", is_a_date("1", times.at(1)));
     expect_refused(header + rows, "1", is_a_date("1", times.at(0)));
     expect_refused(header + rows, "Time", is_a_date("Time", times.at(0)));
-    expect_refused(rows, "Acc",
-                   ", line 1: has no column Acc, because there is no header; name the column by "
-                   "its number, 1 to 2");
+    expect_refused(
+        rows, "Acc",
+        ", line 1: has no column Acc, because the table lacks a header; name the column by "
+        "its number, 1 to 2");
     expect_refused(header + rows, "x", ", line 1: has no column x; it has Time, Acc");
     expect_refused(header + rows, "3", ", line 1: has no column 3; columns are 1 to 2");
     expect_refused("Time" + separator + "Acc" + separator + "Speed\n" + rows, "Acc",
@@ -463,7 +464,7 @@ TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
   // Words do the same.
   const std::string rows = "0,-0.5,n/a\n1,1.25,n/a\n2,2,n/a\n";
   expect_read(rows, "2");
-  expect_refused(rows, "x", ", line 1: has no column x, because there is no header");
+  expect_refused(rows, "x", ", line 1: has no column x, because the table lacks a header");
   expect_refused("t,x,note\n" + rows, "y", ", line 1: has no column y; it has t, x, note");
   // Damaged numbers are not called dates.
   expect_refused("0,-0.5\n1,1.234.567\n", "2",
@@ -471,9 +472,10 @@ TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
 }
 
 TEST_F(InstrumentText, HasNoNamesWithoutAHeader) {
-  expect_refused("0,-0.5\n1,1.25\n", "acc",
-                 ", line 1: has no column acc, because there is no header; name the column by its "
-                 "number, 1 to 2");
+  expect_refused(
+      "0,-0.5\n1,1.25\n", "acc",
+      ", line 1: has no column acc, because the table lacks a header; name the column by its "
+      "number, 1 to 2");
 }
 
 TEST_F(InstrumentText, IsRefusedWithASingleRow) {
