@@ -47,7 +47,8 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
     const std::string_view field = take_field(rest, layout.separator);
     if (count == 0) found.first = field;
     if (count == layout.column) found.requested_field = field;
-    if (count == (layout.column ^ 1)) found.partner = field;
+    if (count + 1 == layout.column) found.previous = field;
+    if (count == layout.column + 1) found.next = field;
     if (count + 1 == layout.times.column) found.time = field;
     last = field;
   }
@@ -59,31 +60,6 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
                         std::to_string(layout.fields));
   }
   return found;
-}
-
-/// True if a field looks like part of a number with a decimal comma: programs write no "05" or
-/// "-0", but 1,05 and -0,5 split at commas leave them. False if another field of the line has a
-/// decimal point.
-bool is_torn_decimal(std::string_view field, std::string_view line) {
-  if (line.find('.') != std::string_view::npos) return false;
-  const bool is_negative = field.starts_with('-');
-  if (is_negative) field.remove_prefix(1);
-  const bool is_padded = field.size() > 1 && field.front() == '0' &&
-                         field.find_first_not_of("0123456789") == std::string_view::npos;
-  return (is_negative && field == "0") || is_padded;
-}
-
-/// True if a signed number follows an odd comma of a line. If commas were decimal signs, only
-/// decimals, which have no sign, could stand there.
-bool has_signs_behind_commas(std::string_view text) {
-  while (!text.empty()) {
-    std::size_t index = 0;
-    for (std::optional rest = take_line(text); rest; ++index) {
-      const std::string_view field = take_field(rest, ',');
-      if (index % 2 == 1 && (field.starts_with('-') || field.starts_with('+'))) return true;
-    }
-  }
-  return false;
 }
 
 /// Largest number of fields of one moment: a recording has fewer channels.
@@ -103,7 +79,6 @@ Signal read_table(const fs::path& file, const std::string& column) {
   std::vector<double> times;
   DecimalSign sign;
   CsvDoubts doubts(file, layout, column);
-  bool may_be_torn = layout.separator == ',' && layout.fields % 2 == 0 && !layout.has_name;
   for (std::size_t line = layout.first_line; !rest.empty(); ++line) {
     const std::string_view all = take_line(rest);
     const CsvRow fields = fields_of_line(file, line, all, layout);
@@ -132,14 +107,6 @@ Signal read_table(const fs::path& file, const std::string& column) {
           "separators");
     }
     doubts.look_at(line, fields, all);
-    if (may_be_torn && (is_torn_decimal(field, all) || is_torn_decimal(fields.partner, all))) {
-      may_be_torn = !has_signs_behind_commas(layout.numbers);
-      if (may_be_torn) {
-        refuse(
-            ": the numbers seem to have decimal commas, and the fields commas between them; write "
-            "decimal points, or separate the fields by semicolons");
-      }
-    }
     numbers.push_back(*number);
     const auto time = number_in_field(fields.time);
     if (time) times.push_back(*time);

@@ -1,5 +1,7 @@
 #include "raw/csv_doubts.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <optional>
 
 #include "raw/csv_fields.hpp"
@@ -12,6 +14,16 @@ namespace {
 bool is_damaged_time(std::string_view field) {
   return !number_in_field(field) && !is_date_or_time(field) &&
          remedy_for_thousands(field).empty() && field.find_first_not_of('-') != field.npos;
+}
+
+/// True if a number between the commas of a line has a decimal point.
+bool holds_decimal_point(std::string_view line) {
+  if (line.find('.') == line.npos) return false;
+  for (std::optional rest = line; rest;) {
+    const std::string_view field = take_field(rest, ',');
+    if (field.find('.') != field.npos && number_in_field(field)) return true;
+  }
+  return false;
 }
 
 bool is_word(std::string_view field) { return holds_letters(field) && !number_in_field(field); }
@@ -32,10 +44,15 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
     look_at_comma(line, row.requested_field, all);
   }
   if (layout_.separator == ' ' && layout_.fields == 2 && !layout_.has_name) {
-    const std::string_view low = row.partner;
+    const std::string_view low = layout_.column == 0 ? row.next : row.requested_field;
     const bool is_group = low.size() == 3 && low.find_first_not_of("0123456789") == low.npos;
-    all_in_groups_ = all_in_groups_ && is_group && row.requested_field.find('.') == low.npos;
+    all_in_groups_ = all_in_groups_ && is_group && row.first.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
+  }
+  if (layout_.separator == ',' && !layout_.has_name) {
+    has_points_ = has_points_ || holds_decimal_point(all);
+    before_.add(line, row.previous, row.requested_field, has_points_);
+    behind_.add(line, row.requested_field, row.next, has_points_);
   }
   decimals_.add(line, row.requested_field);
   may_be_cut_ = row.requested_field.end() == all.end() && !layout_.numbers.ends_with('\n');
@@ -52,6 +69,7 @@ void CsvDoubts::require_none() const {
                         ", where the comma may precede decimals or thousands; write decimal points "
                         "and no thousands separators");
   }
+  require_no_decimal_commas();
   if (all_in_groups_ && any_padded_) {
     refuse_csv_line(file_, layout_.first_line,
                     "seems to have blanks between thousands; remove them");
@@ -77,6 +95,24 @@ void CsvDoubts::require_none() const {
                     "holds the time " + csv_field_in_quotes(times_.field) +
                         ", which is not a number, so lines may be missing; repair the line, or get "
                         "the file again");
+  }
+}
+
+void CsvDoubts::require_no_decimal_commas() const {
+  const std::string why =
+      ": the numbers seem to have decimal commas, and the fields commas between them; write "
+      "decimal points, or separate the fields by semicolons";
+  for (const TornDecimals& pair : {before_, behind_}) {
+    if (const auto evidence = pair.evidence()) {
+      refuse_csv_line(file_, evidence->line,
+                      fmt::format("holds {},{}{}", evidence->field, evidence->next, why));
+    }
+    const std::size_t names = layout_.names;
+    if (names < layout_.fields && layout_.fields <= 2 * names && pair.may_be_decimals()) {
+      refuse_csv_line(
+          file_, layout_.first_line,
+          fmt::format("has {} fields below a header of {}{}", layout_.fields, names, why));
+    }
   }
 }
 

@@ -7,15 +7,17 @@
 
 #include "raw/csv_fields.hpp"
 #include "raw/csv_layout.hpp"
+#include "raw/torn_decimals.hpp"
 
 namespace piae::raw {
 
 /// Fields of a line: the requested one and those that show whether it is a sample.
 struct CsvRow {
   std::string_view requested_field;
-  std::string_view first;    ///< first field of the line
-  std::string_view partner;  ///< may be part of the same number
-  std::string_view time;     ///< field of the column of times
+  std::string_view first;     ///< first field of the line
+  std::string_view previous;  ///< field before the requested one; empty if it is the first
+  std::string_view next;      ///< field behind the requested one; empty if it is the last
+  std::string_view time;      ///< field of the column of times
 };
 
 /// Looks line by line for signs that a column is not what it seems: numbers with separators of
@@ -46,6 +48,7 @@ class CsvDoubts {
   };
 
   void look_at_comma(std::size_t line, std::string_view field, std::string_view all);
+  void require_no_decimal_commas() const;
 
   const std::filesystem::path& file_;
   const CsvLayout& layout_;
@@ -56,7 +59,10 @@ class CsvDoubts {
   std::size_t comma_line_ = 0;
   bool all_in_groups_ = true;
   bool any_padded_ = false;
-  Others words_;  ///< lines that start with a word
+  bool has_points_ = false;  ///< true if a number of a line has a decimal point
+  TornDecimals before_;      ///< previous and requested field
+  TornDecimals behind_;      ///< requested and next field
+  Others words_;             ///< lines that start with a word
   Decimals decimals_;
   bool may_be_cut_ = false;  ///< true if the column's last number ends the text, without a line end
   Others times_;             ///< lines whose time is damaged

@@ -86,6 +86,14 @@ std::vector<std::string_view> fields_of(const fs::path& file, std::size_t number
   return fields;
 }
 
+/// Returns what else may be wrong if a line has more fields than names: commas in its numbers.
+std::string_view remedy_for_decimal_commas(std::size_t names, std::size_t fields,
+                                           std::string_view line) {
+  const bool may_be = names < fields && fields <= 2 * names && separator_of(line) == ',' &&
+                      line.find('.') == line.npos;
+  return may_be ? ", or separate the fields by semicolons if the numbers have decimal commas" : "";
+}
+
 struct Line {
   std::size_t number = 0;
   bool is_comment = false;
@@ -138,6 +146,7 @@ class Search {
     std::optional<CsvLayout> found = is_column_number(column_) ? find_by_number() : find_by_name();
     if (!found) refuse_column();
     found->has_name = is_named_above(*found);
+    found->names = count_names_above(*found);
     require_no_other_numbers_above(*found);
     found->times = times_in(*found);
     return *found;
@@ -163,6 +172,14 @@ class Search {
       const auto found = fields(above, layout.separator);
       return found.size() == layout.fields && holds_letters(found[layout.column]);
     });
+  }
+
+  /// Returns the number of words in the line above the numbers; 0 if it holds anything else.
+  [[nodiscard]] std::size_t count_names_above(const CsvLayout& layout) const {
+    const auto first = std::ranges::find(lines_, layout.first_line, &Line::number);
+    if (first == lines_.begin() || first == lines_.end()) return 0;
+    const auto names = fields(*(first - 1), layout.separator);
+    return std::ranges::all_of(names, is_word_or_unit) ? names.size() : 0;
   }
 
   [[nodiscard]] static CsvLayout layout_from(const Line& line, char separator, std::size_t count,
@@ -331,9 +348,17 @@ class Search {
                        [](const Line& line) { return !line.is_comment; });
   }
 
-  /// Refuses text without numbers in all lines that may precede a table.
-  void require_numbers() const {
-    if (lines_.back().number < most_lines_before) return;
+  /// True if the column's field is a date or time, which the caller refuses.
+  [[nodiscard]] bool holds_date(const Line& line, char separator, std::size_t column) const {
+    const auto found = fields(line, separator);
+    return column < found.size() && is_date_or_time(found[column]);
+  }
+
+  /// Refuses text without numbers in all lines that may precede a table. Accepts a column of dates.
+  void require_numbers(std::size_t column) const {
+    const Line& last = lines_.back();
+    if (last.number < most_lines_before) return;
+    if (holds_date(last, separator_of(last.text), column)) return;
     refuse_csv_line(file_, most_lines_before,
                     "no numbers begin up to this line; remove the lines above the table");
   }
@@ -341,7 +366,7 @@ class Search {
   /// Takes the first line as a header if no line has numbers; the caller refuses the lines below
   /// it.
   std::optional<CsvLayout> header_alone(std::size_t column) {
-    require_numbers();
+    require_numbers(column);
     const auto first = std::ranges::find(lines_, false, &Line::is_comment);
     if (first == lines_.end()) return CsvLayout{};
     const char separator = separator_of(first->text);
@@ -364,9 +389,10 @@ class Search {
       if (next != first && !holds_letters(fields(lines_[next], separator)[column])) break;
       next = next_line(next);
     }
-    const bool has_numbers =
-        next < lines_.size() && holds_number(lines_[next], separator, count, column);
-    if (!has_numbers) next = first;
+    const bool has_samples =
+        next < lines_.size() && (holds_number(lines_[next], separator, count, column) ||
+                                 holds_date(lines_[next], separator, column));
+    if (!has_samples) next = first;
     if (next < lines_.size()) return layout_from(lines_[next], separator, count, column);
     return {
         .separator = separator, .fields = count, .column = column, .first_line = 1, .numbers = {}};
@@ -411,7 +437,7 @@ class Search {
     }
     if (!without_numbers) return std::nullopt;
     require_as_many_fields(without_numbers->first, without_numbers->second.fields);
-    require_numbers();
+    require_numbers(without_numbers->second.column);
     return without_numbers->second;
   }
 
@@ -422,11 +448,11 @@ class Search {
       const std::size_t count = count_columns(lines_[i]);
       if (count == 0) continue;
       if (count == names) return;
-      refuse_csv_line(
-          file_, lines_[header].number,
-          fmt::format("is a header of {} name{} above lines of {} field{}; name the "
-                      "column by its number, 1 to {}",
-                      names, names == 1 ? "" : "s", count, count == 1 ? "" : "s", count));
+      refuse_csv_line(file_, lines_[header].number,
+                      fmt::format("is a header of {} name{} above lines of {} field{}; name the "
+                                  "column by its number, 1 to {}{}",
+                                  names, names == 1 ? "" : "s", count, count == 1 ? "" : "s", count,
+                                  remedy_for_decimal_commas(names, count, lines_[i].text)));
     }
   }
 

@@ -115,7 +115,7 @@ TEST(Csv, AcceptsDecimalCommasIfCommasDoNotSeparate) {
   EXPECT_ERROR(read("1;1,234\n2;5.5\n", "2"), Exit::bad_input, "the other decimal sign");
   // Numbers split at a decimal comma are not samples.
   EXPECT_ERROR(read("1,25\n1,05\n", "2"), Exit::bad_input,
-               "line 2: column 2 holds '05': the numbers seem to have decimal commas");
+               "line 2: holds 1,05: the numbers seem to have decimal commas");
   EXPECT_ERROR(read("1,25\n-0,05\n", "1"), Exit::bad_input, "seem to have decimal commas");
   // If another field has a decimal point, commas separate the fields, and -0 is a number.
   EXPECT_EQ(read("-0,0.5\n1,0.25\n", "1"), (std::vector<double>{0, 1}));

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
@@ -341,6 +342,51 @@ TEST_F(InstrumentText, MayBeAColumnOfDecimalCommas) {
   expect_refused(counts, "1", why);
 }
 
+TEST_F(InstrumentText, IsRefusedWithDecimalCommasBehindOtherColumns) {
+  const std::string why = "the numbers seem to have decimal commas";
+  // A counter and numbers with decimal commas: an odd number of fields.
+  const std::string counted = "0,-282,227\n1,113,054\n2,-96,981\n";
+  expect_refused(counted, "2", "line 2: holds 113,054: " + why);
+  expect_refused(counted, "3", "line 2: holds 113,054: " + why);
+  expect_refused("7,0,001,-282,227\n8,0,002,113,954\n9,0,003,-0,981\n", "4", why);
+  expect_refused("0,5,25,-1\n1,-0,5,-2\n", "2", why);  // zeros at the end dropped
+  expect_refused("0,4,123E-03\n1,5,12E+00\n", "2", why);
+  // One decimal shows all ten digits.
+  std::string digits;
+  for (int i = 0; i < 30; ++i) digits += fmt::format("{},{},{}\n", i, 7 * i - 90, i * 7 % 10);
+  expect_refused(digits, "2", why);
+  expect_refused(digits, "3", why);
+  expect_refused("10:00:00,000,0.5\n10:00:00,001,0.25\n", "2",
+                 "line 1: holds 10:00:00,000: " + why);
+  EXPECT_THAT(read_here(folder_.write("a.csv", "10:00:00,000,0.5\n10:00:00,001,0.25\n"), "3"),
+              ElementsAre(0.5, 0.25));
+  // Columns that cannot be decimals are numbers.
+  EXPECT_THAT(read_here(folder_.write("a.csv", "0,5,05,-1\n1,4,10,7\n"), "4"), ElementsAre(-1, 7));
+  EXPECT_THAT(read_here(folder_.write("a.csv", "0,-282,-227\n1,113,54\n"), "3"),
+              ElementsAre(-227, 54));
+  EXPECT_THAT(read_here(folder_.write("a.csv", "0,-282,227,0.5\n1,113,054,0.25\n"), "3"),
+              ElementsAre(227, 54));
+}
+
+TEST_F(InstrumentText, IsRefusedWithFewerNamesThanFieldsOfWholeNumbers) {
+  const std::string table = "0,-282,227\n1,113,354\n2,-96,981\n";
+  expect_refused(
+      "time,acc\n" + table, "2",
+      "line 2: has 3 fields below a header of 2: the numbers seem to have decimal commas");
+  expect_refused("time,acc\n" + table, "acc",
+                 "line 1: is a header of 2 names above lines of 3 fields; name the column by its "
+                 "number, 1 to 3, or separate the fields by semicolons if the numbers have decimal "
+                 "commas");
+  expect_refused("acc\n-282,227\n113,354\n", "1", "has 2 fields below a header of 1: the numbers");
+  // R writes no name above the row numbers.
+  EXPECT_THAT(read_here(folder_.write("a.csv", "\"t\",\"acc\"\n\"1\",0,-5\n\"2\",1,13\n"), "3"),
+              ElementsAre(-5, 13));
+}
+
+TEST_F(InstrumentText, IsRefusedWithBlanksBetweenThousandsInEitherPart) {
+  expect_refused("2 037\n3 465\n1 002\n", "2", "line 1: seems to have blanks between thousands");
+}
+
 TEST_F(InstrumentText, IsRefusedWithSeparatorsOfThousands) {
   const std::string how = "; write decimal points and no thousands separators";
   expect_refused("a;b\n0,1;1.640,337\n0,2;2.640,337\n", "2",
@@ -355,7 +401,7 @@ TEST_F(InstrumentText, MayHaveLeadingZerosBelowAHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "x,y\n0,1\n9,-0\n-8,02053\n"), "y"),
               ElementsAre(1, 0, 2053));
   expect_refused("0,5\n1,05\n", "2",
-                 ", line 2: column 2 holds '05'");  // ambiguous: 0.5 and 1.05, or four numbers
+                 ", line 2: holds 1,05: the numbers");  // ambiguous: 0.5 and 1.05, or four numbers
 }
 
 TEST_F(InstrumentText, MayBeWholeNumbersWithSignsAndNoHeader) {
@@ -364,7 +410,7 @@ TEST_F(InstrumentText, MayBeWholeNumbersWithSignsAndNoHeader) {
   EXPECT_THAT(read_here(folder_.write("a.csv", "007\n-0\n0100\n"), "1"), ElementsAre(7, 0, 100));
   EXPECT_THAT(read_here(folder_.write("a.csv", "0;007\n1;-0\n"), "2"), ElementsAre(7, 0));
   expect_refused("-0,5\n1,2\n", "1",
-                 ", line 1: column 1 holds '-0': the numbers seem to have decimal commas");
+                 ", line 1: holds -0,5: the numbers seem to have decimal commas");
 }
 
 TEST_F(InstrumentText, IsRefusedAtTheStartOfASecondTable) {
@@ -461,6 +507,14 @@ TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
                    ", line 1: is a header of 3 names above lines of 2 fields; name the column by "
                    "its number, 1 to 2");
   }
+  // Also in long files, and below units.
+  std::string dates = "Time;Acc\n";
+  for (int i = 0; i < 12'000; ++i) dates += "01.02.2024 12:00:00;0,5\n";
+  const std::string why = " holds '01.02.2024 12:00:00', a date or time, not a number";
+  expect_refused(dates, "1", ", line 2: column 1" + why);
+  expect_refused(dates, "Time", ", line 2: column Time" + why);
+  expect_refused("Time;Acc\n-;g\n01.02.2024 12:00:00;0,5\n", "Time", ", line 3: column Time" + why);
+  expect_refused("Time;Acc\n-;g\n01.02.2024 12:00:00;0,5\n", "1", ", line 3: column 1" + why);
   // Words do the same.
   const std::string rows = "0,-0.5,n/a\n1,1.25,n/a\n2,2,n/a\n";
   expect_read(rows, "2");
