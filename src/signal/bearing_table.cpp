@@ -154,18 +154,19 @@ bool ends_with_two_of_seal(std::string_view word) {
 /// Removes marks of seals, shields and clearance, which change no dimension: 6205-2Z/C3, 6205ZZ and
 /// 62052RS are a 6205.
 Words without_suffixes(const Words& words) {
-  constexpr std::array<std::string_view, 27> attached{
-      "ZZ",  "RZ",  "Z",   "RS",  "RS1", "RS2", "RSH", "RSL", "RSR",
-      "RSD", "HRS", "BRS", "LLU", "LLB", "LLH", "LU",  "DDU", "DU",
+  constexpr std::array<std::string_view, 29> attached{
+      "ZZ",  "RZ",  "ZR",  "Z",   "RS",  "RS1", "RS2", "RSH", "RSL", "RSR",
+      "RSD", "HRS", "BRS", "LLU", "LLB", "LLH", "LU",  "DDU", "DD",  "DU",
       "VV",  "RU",  "NSE", "C2",  "C3",  "C4",  "C5",  "CN",  "CM"};
-  constexpr std::array<std::string_view, 13> apart{"2Z",   "2RS",  "2RS1", "2RS2", "2RSH",
-                                                   "2RSL", "2RSR", "2RSD", "2RZ",  "2HRS",
-                                                   "2BRS", "2RU",  "2NSE"};
+  constexpr std::array<std::string_view, 14> apart{"2Z",   "2ZR",  "2RS",  "2RS1", "2RS2",
+                                                   "2RSH", "2RSL", "2RSR", "2RSD", "2RZ",
+                                                   "2HRS", "2BRS", "2RU",  "2NSE"};
   Words found;
   for (const std::string& word : words) {
-    std::string_view stem = std::ranges::count(apart, word) > 0 ? "" : word;
+    std::string_view stem = word;
     for (bool again = true; again;) {
       again = false;
+      if (std::ranges::count(apart, stem) > 0) stem = "";
       for (const std::string_view suffix : attached) {
         if (!stem.ends_with(suffix)) continue;
         stem.remove_suffix(suffix.size());
@@ -219,9 +220,12 @@ Words with_deep_groove(const Words& words) {
   return found;
 }
 
-/// Returns the rows that share words with the request, as a hint.
+/// Returns the rows that share words with the request, as a hint. A seal counts only if the request
+/// has nothing else.
 std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
-  const Words runs = runs_of(without_suffixes(written));
+  const Words stems = without_suffixes(written);
+  const Words& shared = stems.empty() ? written : stems;
+  const Words runs = runs_of(stems);
   std::vector<Row> like;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
@@ -229,7 +233,7 @@ std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
     const bool shares_a_run = std::ranges::any_of(runs, [&](const std::string& run) {
       return has_number(run) && holds_words(row_stems, run);
     });
-    const bool shares_a_word = std::ranges::find_first_of(words, written) != words.end();
+    const bool shares_a_word = std::ranges::find_first_of(words, shared) != words.end();
     if (shares_a_run || shares_a_word) like.push_back(row);
   }
   return like;

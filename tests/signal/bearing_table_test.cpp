@@ -73,8 +73,8 @@ TEST(BearingTable, IgnoresASealWrittenWithoutADash) {
       folder.write("bearings.csv", some_rows +
                                        "X 6202,8,6,25,0,,,,,a\nX 6220,8,25,140,0,,,,,b\n"
                                        "X 16005,9,6,36,0,,,,,c\nX 22212,16,12,85,10,,,,,d\n");
-  for (const char* seal :
-       {"2RS", "2RS1", "2RSH", "2RSR", "2Z", "2RZ", "2RSC3", "2Z/C3", "2RS C3"}) {
+  for (const char* seal : {"2RS", "2RS1", "2RSH", "2RSR", "2Z", "2RZ", "2RSC3", "2Z/C3", "2RS C3",
+                           "-2RSC3", "-2ZRC3", "-2RUC3", "-2ZC3", "DD", "DDU"}) {
     EXPECT_EQ(bearing_called("6205" + std::string(seal), table).at("pitch_diameter_mm"), 39.04);
     EXPECT_EQ(bearing_called("KG6205" + std::string(seal), table).at("pitch_diameter_mm"), 39);
     EXPECT_EQ(bearing_called("6202" + std::string(seal), table).at("pitch_diameter_mm"), 25);
@@ -82,6 +82,10 @@ TEST(BearingTable, IgnoresASealWrittenWithoutADash) {
   }
   EXPECT_EQ(bearing_called("6202Z", table).at("pitch_diameter_mm"), 25);
   EXPECT_EQ(bearing_called("22212RS", table).at("pitch_diameter_mm"), 85);
+  EXPECT_EQ(bearing_called("NSK 6804DDU",
+                           folder.write("dd.csv", table_head + "NSK 6804DD,13,3.5,26,0,,,,,a\n"))
+                .at("balls"),
+            13);
   // 62202RS is a 62202 with RS or a 6220 with 2RS; 6205 has no clearance 2C3.
   for (const char* other : {"62202RS", "62202Z", "62052", "62052C3", "620522RS"}) {
     EXPECT_ERROR(bearing_called(other, table), Exit::bad_input, "' has no row");
@@ -123,6 +127,9 @@ TEST(BearingTable, ListsSimilarBearings) {
   }
   for (const std::string part : {"NU 2205 ECP", "NU2205-ECP", "NSK NU2205ZZ"}) {
     refused(part, "'" + part + "' has no row in " + table.string() + "; similar are FAG NU2205;");
+  }
+  for (const std::string part : {"6311-2RS", "6311 2RS C3"}) {  // a seal is not enough
+    refused(part, "'" + part + "' has no row in " + table.string() + "; give balls");
   }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
   refused("620", "'620' has no row");  // part of a word is not enough
