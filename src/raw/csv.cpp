@@ -56,8 +56,9 @@ CsvRow fields_of_line(const fs::path& file, std::size_t number, std::string_view
   if (count != layout.fields && !ends_with_separator) {
     require_same_table(file, number, line, layout);
     refuse_csv_line(file, number,
-                    "has " + std::to_string(count) + " fields, the lines above have " +
-                        std::to_string(layout.fields));
+                    fmt::format("has {} field{}, the lines above have {}; remove the line, or get "
+                                "the file again",
+                                count, count == 1 ? "" : "s", layout.fields));
   }
   return found;
 }

@@ -201,9 +201,11 @@ class Search {
     const bool is_empty = field.empty() && holds_letters(line.text);
     const bool is_word = holds_letters(field) && !is_missing_sample(field);
     if (is_word || is_named_number || is_empty || is_date_or_time(field)) return;
-    refuse_csv_line(file_, line.number,
-                    "column " + column_ + " holds " + csv_field_in_quotes(field) +
-                        ", neither a number nor a name" + std::string(remedy_for_thousands(field)));
+    const std::string_view remedy = remedy_for_thousands(field);
+    refuse_csv_line(
+        file_, line.number,
+        fmt::format("column {} holds {}, neither a number nor a name{}", column_,
+                    csv_field_in_quotes(field), remedy.empty() ? "; remove the line" : remedy));
   }
 
   std::optional<CsvLayout> find_by_number() {

@@ -365,8 +365,8 @@ std::vector<Section> accuracy_sections(const ClassifierRows& of_classifier,
   }
   if (have_fault_types(rows)) {
     sections.push_back(reference.none().of(
-        {"accuracy-kinds", "Mean accuracy by kind of defect on " + dataset + ", percent",
-         types_note, means_of([](const AccuracyRow& row) -> const scoring::Summary& {
+        {"accuracy-kinds", "Mean accuracy by fault type on " + dataset + ", percent", types_note,
+         means_of([](const AccuracyRow& row) -> const scoring::Summary& {
            return *row.type_accuracy;
          })}));
   }

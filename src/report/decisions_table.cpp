@@ -211,7 +211,7 @@ std::vector<Section> confidence_sections(const ClassifierRows& block, const run:
   return {PaperReference(dataset, block.classifier)
               .none()
               .of({"confidence",
-                   fmt::format("What may be answered at {} % precision on {}, percent",
+                   fmt::format("Share answered at {} % precision on {}, percent",
                                scoring::wanted_precision_percent, dataset),
                    confidence_note(silent), confidence_table(rows)})};
 }

@@ -39,7 +39,7 @@ std::string setting_label(const SweepPoint& point) {
 text::Table ratio_table(const std::vector<PartRow>& rows, std::size_t most) {
   const bool types = std::ranges::any_of(rows, has_fault_types);
   std::vector<std::string> header{"setting", "accuracy", "95 % interval"};
-  if (types) header.emplace_back("by kind");
+  if (types) header.emplace_back("by fault type");
   header.insert(header.end(), {"difference", "95 % interval"});
   text::Table table(header, 1);
   for (const PartRow& row : rows) {
@@ -116,7 +116,7 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
                         const run::Results& results) {
   Document document{
       .key = sweep.grid.dataset + "-" + run::sweep_name(sweep.method),
-      .title = "What each part of " + sweep.method + " is worth on " + sweep.grid.dataset};
+      .title = "Effect of each part of " + sweep.method + " on " + sweep.grid.dataset};
   const std::vector<std::int64_t> seeds = seeds_of_any_row(moved_rows(rows));
   const bool types = std::ranges::any_of(rows, has_fault_types);
   document.paragraphs.push_back(fmt::format(
@@ -125,7 +125,8 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
       "means that the method is worse without that part. {}Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}",
       sweep.classifier, sweep.method,
-      types ? "By kind: a window counts as correct if the damaged part of the bearing is named, "
+      types ? "By fault type: a window counts as correct if the damaged part of the bearing is "
+              "named, "
               "whatever the size of the defect. "
             : "",
       to_string(results.diagnoses.front().protocol), counted(seeds.size(), "seed"),

@@ -312,7 +312,7 @@ std::vector<Section> recommendation_sections(const std::vector<Recommendation>& 
   }
   if (main->recommended().confusion.classes > 0) {
     add({.key = "recommendation-recall",
-         .title = "What " + name + " recognises on " + main->dataset + ", percent",
+         .title = "Recall of " + name + " on " + main->dataset + ", percent",
          .note = fmt::format("Test windows of all seeds together. {} is recommended at {}.", name,
                              main->ratio_label),
          .table = table_by_class(*main)});

@@ -38,7 +38,7 @@ Cells shown_names(const TransferGroup& group, const GroupRow& row) {
 
 /// Returns the title or key of a table that exists once for each question.
 std::string titled(Question question, const std::string& title) {
-  return title + (question == Question::by_class ? "" : " by kind of defect") + ", percent";
+  return title + (question == Question::by_class ? "" : " by fault type") + ", percent";
 }
 std::string keyed(Question question, const std::string& key) {
   return question == Question::by_class ? key : "kind-" + key;

@@ -180,7 +180,7 @@ std::string types_sentence(const ClassifierRows& block) {
   }
   if (block.reference_row)
     add(type_label(reference_label(*block.reference_row), *block.reference_row));
-  return "By kind of defect: " + text + ".";
+  return "By fault type: " + text + ".";
 }
 
 std::string most_accurate_without_known(const std::vector<AccuracyRow>& rows) {

@@ -12,7 +12,7 @@ namespace piae::report {
 /// "" if faults are tested in the conditions in which they are known.
 std::string conditions_note(const run::Results& results);
 
-/// Returns "By kind of defect: none 62.5 (100:1), vae 80.0 (2:1).", the mean accuracy of each
+/// Returns "By fault type: none 62.5 (100:1), vae 80.0 (2:1).", the mean accuracy of each
 /// method at its ratio with the most generated windows. Returns "" for data sets without fault
 /// types.
 std::string types_sentence(const ClassifierRows& block);

@@ -98,8 +98,8 @@ std::vector<Row> rows_of(const fs::path& table) {
   if (!fs::exists(table)) {
     throw Error(Exit::input_missing,
                 table.string() +
-                    ": no such file, but bearing.designation needs it; copy pipeline/bearings.csv "
-                    "to it, or replace designation by dimensions");
+                    ": no such file; copy pipeline/bearings.csv to it, or replace designation by "
+                    "dimensions");
   }
   const std::vector<text::CsvLine> lines = text::read_csv(table);
   if (lines.front().fields != header)

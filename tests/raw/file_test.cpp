@@ -52,7 +52,7 @@ TEST(Csv, RefusesTextsThatAreNotColumnsOfNumbers) {
   const auto read = [&](const std::string& text, const std::string& column) {
     return read_csv(folder.write("a.csv", text), column);
   };
-  EXPECT_ERROR(read("t,a\n0,1\n1\n", "a"), Exit::bad_input, "line 3: has 1 fields");
+  EXPECT_ERROR(read("t,a\n0,1\n1\n", "a"), Exit::bad_input, "line 3: has 1 field,");
   EXPECT_ERROR(read("t,a\n0,1\n\n1,2\n", "a"), Exit::bad_input, "line 3: is blank between");
   EXPECT_ERROR(read("t,a\n0,1\n1,x2\n", "a"), Exit::bad_input, "line 3: column a holds 'x2'");
   EXPECT_ERROR(read("t,a\n0,1\n1,2x\n", "a"), Exit::bad_input, "line 3: column a holds '2x'");
@@ -98,7 +98,7 @@ TEST(Csv, SkipsTheTextAboveTheNumbers) {
   // The line number in an error counts all of these lines.
   EXPECT_ERROR(read(logger + "1;x\n", "Acc"), Exit::bad_input, "line 9: column Acc holds 'x'");
   EXPECT_ERROR(read(logger, "Force"), Exit::bad_input, "has no column Force; it has ");
-  EXPECT_ERROR(read("0.5,1\n...\n1,2\n", "2"), Exit::bad_input, "line 2: has 1 fields");
+  EXPECT_ERROR(read("0.5,1\n...\n1,2\n", "2"), Exit::bad_input, "line 2: has 1 field,");
   EXPECT_ERROR(read("words\n..;..\n1;2\n3;4\n", "2"), Exit::bad_input, "line 2: column 2 holds");
 }
 

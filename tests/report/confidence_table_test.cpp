@@ -60,7 +60,7 @@ TEST_F(ConfidenceTable, HasAllMethodsAndRatiosInItsCsv) {
 TEST_F(ConfidenceTable, ShowsEachMethodWithTheMostWindows) {
   add_two_seeds();
   const std::string shown = text(grid_);
-  EXPECT_THAT(shown, HasSubstr("\n## What may be answered at 95 % precision on cwru, percent\n"));
+  EXPECT_THAT(shown, HasSubstr("\n## Share answered at 95 % precision on cwru, percent\n"));
   EXPECT_THAT(
       shown,
       HasSubstr("| method | ratio        | calibration error |      answered | 95 % interval |\n"

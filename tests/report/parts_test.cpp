@@ -89,7 +89,7 @@ TEST_F(Parts, HaveATableForEachRatio) {
   add_cell("strike-twin", "2to1", 0, 15);
   add_cell("sweep@strike-twin/edges-known", "2to1", 0, 16);
   const std::string shown = text(sweep_of("edges=known", "0 1 2"));
-  EXPECT_THAT(shown, HasSubstr("# What each part of strike-twin is worth on cwru\n"));
+  EXPECT_THAT(shown, HasSubstr("# Effect of each part of strike-twin on cwru\n"));
   EXPECT_THAT(shown, HasSubstr("percent by nearest, with one setting of strike-twin moved"));
   EXPECT_THAT(shown, HasSubstr("## At 2:1 (3.33:1)\n"));
   EXPECT_THAT(
@@ -100,7 +100,7 @@ TEST_F(Parts, HaveATableForEachRatio) {
           "|----------------|------------:|--------------:|------------:|---------------:|\n"
           "| as in the grid |  85.0 ± 5.0 |  [72.6, 97.4] |             |                |\n"
           "| edges=known    | 60.0 ± 10.0 |  [35.2, 84.8] | -25.0 ± 5.0 | [-37.4, -12.6] |\n"));
-  EXPECT_THAT(shown, Not(HasSubstr("By kind")));
+  EXPECT_THAT(shown, Not(HasSubstr("By fault type")));
   EXPECT_THAT(shown, Not(HasSubstr("‡")));
   std::filesystem::remove(layout_.diagnosis("strike-twin", "1to1", 2, "nearest"));
   EXPECT_THAT(text(sweep_of("edges=known", "0")),
@@ -122,7 +122,7 @@ TEST_F(Parts, ShowAccuracyByKindIfConditionsDiffer) {
               AllOf(HasSubstr(",kind_mean,kind_std,kind_ci95_low,kind_ci95_high\n"),
                     HasSubstr(",edges,known,0,1to1,1,50.0000,,,,1,-30.0000,,,,95.0000,,,\n")));
   const std::string shown = text(sweep_of("edges=known", "0"));
-  EXPECT_THAT(shown, HasSubstr("By kind: a window counts as correct"));
+  EXPECT_THAT(shown, HasSubstr("By fault type: a window counts as correct"));
   EXPECT_THAT(shown,
               HasSubstr("| edges=known    |     50.0 |             – |    95.0 |      -30.0 |"));
 }

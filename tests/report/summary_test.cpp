@@ -184,8 +184,7 @@ TEST_F(Summary, ReportsConditionsAndAccuracyByKind) {
   const auto rows = accuracy_rows(grid, results, Published(folder_.path()));
   const std::string text = unwrapped(summary_text(grid, results, rows));
   EXPECT_THAT(text, HasSubstr("Faults are known at 1200 rpm and 600 rpm, and tested at 900 rpm. "));
-  EXPECT_THAT(text,
-              HasSubstr("vae 75.0 75.0 By kind of defect: none 100.0 (100:1), vae 100.0 (2:1)."));
+  EXPECT_THAT(text, HasSubstr("vae 75.0 75.0 By fault type: none 100.0 (100:1), vae 100.0 (2:1)."));
   EXPECT_THAT(markdown(tables(grid, results, rows, Published(folder_.path()), {}, {}, {})),
               HasSubstr("Faults are known at 1200 rpm"));
 }

@@ -100,7 +100,7 @@ TEST_F(Tables, ShowTheKindOfDefectForConditions) {
               HasSubstr(",published,kind_mean,kind_std,kind_ci95_low,kind_ci95_high\n"
                         "cwru,none,wdcnn,100to1,0,2,85.0000,14.1421,,,61.8,100.0000,0.0000,,\n"));
   EXPECT_THAT(accuracy_text(rows(none)),
-              HasSubstr("95 % interval         kind %\n"
+              HasSubstr("95 % interval         type %\n"
                         "none    100:1          0      2  85.00 ± 14.14              –  100.00 ± "
                         "0.00\n"));
   EXPECT_EQ(rows(none)[0].type_accuracy->mean, 100);

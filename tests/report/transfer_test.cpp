@@ -150,7 +150,7 @@ TEST(TransferGroup, WritesMarkdown) {
   EXPECT_THAT(text,
               HasSubstr("| vae              |    9.00 ↑ |             – |       – |    – |\n"));
   EXPECT_THAT(text, HasSubstr("inputs =\n[\"none=wdcnn-spectra\", \"vae=wdcnn\", "));
-  EXPECT_THAT(text, Not(HasSubstr("by kind")));
+  EXPECT_THAT(text, Not(HasSubstr("by fault type")));
 }
 
 /// By fault type every method has 100 and 90 on the data sets, mean 95; none by wdcnn has 100.
@@ -167,7 +167,7 @@ TEST(TransferGroup, ShowsTheKindOfDefectIfAllDatasetsHaveIt) {
   EXPECT_THAT(transfer_csv(group),
               HasSubstr("mean,,shift,method,wdcnn,1,1,1to1,0,81.0000,,,,95.0000,,,,1,1\n"));
   const std::string text = markdown(transfer_document(group));
-  EXPECT_THAT(text, HasSubstr("## Mean over the data sets by kind of defect, percent\n"));
+  EXPECT_THAT(text, HasSubstr("## Mean over the data sets by fault type, percent\n"));
   EXPECT_THAT(text, HasSubstr("95.00 ± 0.00 |   [95.00, 95.00] |"));
   EXPECT_THAT(text,
               HasSubstr("| none             | 100.00 ✓↑ |         95.00 |   95.00 | 0.00 |\n"));
