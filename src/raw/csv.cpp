@@ -95,12 +95,15 @@ Signal read_table(const fs::path& file, const std::string& column) {
       if (is_date_or_time(field) && field.find_first_of(":/-", 1) != field.npos) {
         refuse(", a date or time, not a number; name a column of numbers");
       }
-      const bool may_be_header = line == layout.first_line && !is_column_number(column);
-      const std::string_view remedy = remedy_for_thousands(field);
-      if (may_be_header && remedy.empty()) {
-        refuse(", not a number; if this line belongs to the header, name the column by its number");
+      if (const std::string_view remedy = remedy_for_thousands(field); !remedy.empty()) {
+        refuse(", not a number" + std::string(remedy));
       }
-      refuse(", not a number" + std::string(remedy));
+      if (line > layout.first_line)
+        refuse(", not a number; remove the line, or get the file again");
+      refuse(is_column_number(column)
+                 ? ", not a number; name a column of numbers"
+                 : ", not a number; if this line belongs to the header, name the column by its "
+                   "number");
     }
     if (!sign.fits(field)) {
       refuse(

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <optional>
+#include <utility>
 
 #include "raw/csv_fields.hpp"
 
@@ -49,17 +50,17 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
     all_in_groups_ = all_in_groups_ && is_group && row.first.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
   }
-  if (layout_.separator == ',' && !layout_.has_name) {
+  if (layout_.separator == ',') {
     has_points_ = has_points_ || holds_decimal_point(all);
-    before_.add(line, row.previous, row.requested_field, has_points_);
-    behind_.add(line, row.requested_field, row.next, has_points_);
+    if (layout_.column > 0) before_.add(line, row.previous, row.requested_field);
+    if (layout_.column + 1 < layout_.fields) behind_.add(line, row.requested_field, row.next);
   }
   decimals_.add(line, row.requested_field);
   may_be_cut_ = row.requested_field.end() == all.end() && !layout_.numbers.ends_with('\n');
   if (layout_.times.is_named && !row.time.empty()) {
     times_.add(is_damaged_time(row.time), line, row.time);
   }
-  if (layout_.column != 0) words_.add(is_word(row.first), line, row.first);
+  if (layout_.column != 0 && !row.first.empty()) words_.add(is_word(row.first), line, row.first);
 }
 
 void CsvDoubts::require_none() const {
@@ -99,19 +100,24 @@ void CsvDoubts::require_none() const {
 }
 
 void CsvDoubts::require_no_decimal_commas() const {
+  if (layout_.separator != ',') return;
   const std::string why =
       ": the numbers seem to have decimal commas, and the fields commas between them; write "
       "decimal points, or separate the fields by semicolons";
-  for (const TornDecimals& pair : {before_, behind_}) {
-    if (const auto evidence = pair.evidence()) {
-      refuse_csv_line(file_, evidence->line,
-                      fmt::format("holds {},{}{}", evidence->field, evidence->next, why));
+  const bool has_few_names = layout_.names < layout_.fields && layout_.fields <= 2 * layout_.names;
+  for (const auto& [pair, exists] : {std::pair(before_, layout_.column > 0),
+                                     std::pair(behind_, layout_.column + 1 < layout_.fields)}) {
+    if (!exists) continue;
+    if (const auto evidence = pair.evidence(layout_.has_name, has_points_)) {
+      refuse_csv_line(
+          file_, evidence->line,
+          fmt::format("holds {},{}{}{}", evidence->field, evidence->next, why,
+                      layout_.has_name ? "" : ", or name each column if they are whole numbers"));
     }
-    const std::size_t names = layout_.names;
-    if (names < layout_.fields && layout_.fields <= 2 * names && pair.may_be_decimals()) {
+    if (has_few_names && !has_points_ && pair.may_be_decimals()) {
       refuse_csv_line(
           file_, layout_.first_line,
-          fmt::format("has {} fields below a header of {}{}", layout_.fields, names, why));
+          fmt::format("has {} fields below a header of {}{}", layout_.fields, layout_.names, why));
     }
   }
 }

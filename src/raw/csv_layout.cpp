@@ -166,12 +166,20 @@ class Search {
     return (found.size() == count || ends_with_separator) && number_in_field(found[column]);
   }
 
+  /// True if a line of words directly above the numbers names the column. Lines below it may hold
+  /// units. A line with more or fewer words does not name columns: which one is missing is unknown.
   [[nodiscard]] bool is_named_above(const CsvLayout& layout) const {
-    return std::ranges::any_of(lines_, [&](const Line& above) {
-      if (above.number >= layout.first_line) return false;
-      const auto found = fields(above, layout.separator);
-      return found.size() == layout.fields && holds_letters(found[layout.column]);
-    });
+    const auto first = std::ranges::find(lines_, layout.first_line, &Line::number);
+    if (first == lines_.end() || fields(*first, layout.separator).size() != layout.fields) {
+      return false;
+    }
+    for (auto line = first; line != lines_.begin();) {
+      const auto found = fields(*--line, layout.separator);
+      if (found.size() != layout.fields || !std::ranges::all_of(found, is_word_or_unit)) break;
+      const bool has_all = std::ranges::none_of(found, &std::string_view::empty);
+      if (has_all && holds_letters(found[layout.column])) return true;
+    }
+    return false;
   }
 
   /// Returns the number of words in the line above the numbers; 0 if it holds anything else.
@@ -201,6 +209,7 @@ class Search {
     const bool is_empty = field.empty() && holds_letters(line.text);
     const bool is_word = holds_letters(field) && !is_missing_sample(field);
     if (is_word || is_named_number || is_empty || is_date_or_time(field)) return;
+    if (numbers_columns(line, separator)) return;
     const std::string_view remedy = remedy_for_thousands(field);
     refuse_csv_line(
         file_, line.number,
@@ -245,10 +254,27 @@ class Search {
     return has_negative_zero && has_padding;
   }
 
-  /// True if a line with words, such as "Sample rate,12000", has numbers in other fields than the
-  /// last line read.
+  /// True if a line with words, such as "Sample rate,12000", lacks a number that the last line read
+  /// has, or if a line numbers the columns, as pandas does: ",0,1,2".
   [[nodiscard]] bool is_no_row_of_the_table(const Line& line, char separator) const {
-    return holds_letters(line.text) && !has_numbers_as_last_line(line, separator);
+    if (numbers_columns(line, separator)) return true;
+    if (!holds_letters(line.text)) return false;
+    const auto found = fields(line, separator);
+    const auto last = fields(lines_.back(), separator);
+    if (found.size() != last.size()) return true;
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      if (number_in_field(last[i]) && !number_in_field(found[i])) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool numbers_columns(const Line& line, char separator) const {
+    const auto found = fields(line, separator);
+    if (!found.front().empty()) return false;
+    for (std::size_t i = 1; i < found.size(); ++i) {
+      if (found[i] != std::to_string(i - 1)) return false;
+    }
+    return !fields(lines_.back(), separator).front().empty();
   }
 
   /// True if a line has numbers in the same fields as the last line read.
@@ -350,17 +376,21 @@ class Search {
                        [](const Line& line) { return !line.is_comment; });
   }
 
-  /// True if the column's field is a date or time, which the caller refuses.
-  [[nodiscard]] bool holds_date(const Line& line, char separator, std::size_t column) const {
+  /// True if the column's field is a date, or a word, next to numbers. The caller refuses it.
+  [[nodiscard]] bool holds_other_than_numbers(const Line& line, char separator,
+                                              std::size_t column) const {
     const auto found = fields(line, separator);
-    return column < found.size() && is_date_or_time(found[column]);
+    return column < found.size() && !number_in_field(found[column]) &&
+           std::ranges::any_of(found,
+                               [](auto field) { return number_in_field(field).has_value(); });
   }
 
-  /// Refuses text without numbers in all lines that may precede a table. Accepts a column of dates.
+  /// Refuses text without numbers in all lines that may precede a table. Accepts a column of dates
+  /// or words next to numbers.
   void require_numbers(std::size_t column) const {
     const Line& last = lines_.back();
     if (last.number < most_lines_before) return;
-    if (holds_date(last, separator_of(last.text), column)) return;
+    if (holds_other_than_numbers(last, separator_of(last.text), column)) return;
     refuse_csv_line(file_, most_lines_before,
                     "no numbers begin up to this line; remove the lines above the table");
   }
@@ -393,7 +423,7 @@ class Search {
     }
     const bool has_samples =
         next < lines_.size() && (holds_number(lines_[next], separator, count, column) ||
-                                 holds_date(lines_[next], separator, column));
+                                 holds_other_than_numbers(lines_[next], separator, column));
     if (!has_samples) next = first;
     if (next < lines_.size()) return layout_from(lines_[next], separator, count, column);
     return {

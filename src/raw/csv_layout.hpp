@@ -14,7 +14,7 @@ struct CsvLayout {
   char separator = ',';
   std::size_t fields = 0;      ///< number of fields in each line
   std::size_t column = 0;      ///< index, counted from 0
-  bool has_name = false;       ///< true if a header with as many fields names the column
+  bool has_name = false;       ///< true if the lines above name the column, and all others
   std::size_t names = 0;       ///< number of words in the line above the numbers
   std::size_t first_line = 1;  ///< first line with numbers, counted from 1
   std::string_view numbers;    ///< text from first_line on

@@ -34,6 +34,7 @@ class LvmReader {
     const bool has_times_for_each = entry("X_Columns", 1) == "Multi";
     step_ = has_times_for_each ? 2 : 1;
     sign_ = DecimalSign(entry("Decimal_Separator", 1));
+    require_other_separators();
     has_one_heading_ = entry("Multi_Headings", 1) != "Yes";
     read_header();  // header of the segment
     names_ = fields(take());
@@ -81,6 +82,15 @@ class LvmReader {
       Fields found = fields(line);
       entries_.try_emplace(std::string(found.front()), std::move(found));
     }
+  }
+
+  /// Refuses a decimal comma between fields that are separated by commas.
+  void require_other_separators() const {
+    if (separator_ != ',' || !entries_.contains("Decimal_Separator")) return;
+    if (entry("Decimal_Separator", 1) == ".") return;
+    refuse_line(
+        "ends a header with commas as decimal signs and between the fields; write the file with "
+        "tabs between the fields");
   }
 
   void skip_special_block() {

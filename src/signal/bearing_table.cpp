@@ -158,9 +158,9 @@ Words without_suffixes(const Words& words) {
       "ZZ",  "RZ",  "ZR",  "Z",   "RS",  "RS1", "RS2", "RSH", "RSL", "RSR",
       "RSD", "HRS", "BRS", "LLU", "LLB", "LLH", "LU",  "DDU", "DD",  "DU",
       "VV",  "RU",  "NSE", "C2",  "C3",  "C4",  "C5",  "CN",  "CM"};
-  constexpr std::array<std::string_view, 14> apart{"2Z",   "2ZR",  "2RS",  "2RS1", "2RS2",
-                                                   "2RSH", "2RSL", "2RSR", "2RSD", "2RZ",
-                                                   "2HRS", "2BRS", "2RU",  "2NSE"};
+  constexpr std::array<std::string_view, 17> apart{"P0",   "P5",   "P6",   "2Z",   "2ZR",  "2RS",
+                                                   "2RS1", "2RS2", "2RSH", "2RSL", "2RSR", "2RSD",
+                                                   "2RZ",  "2HRS", "2BRS", "2RU",  "2NSE"};
   Words found;
   for (const std::string& word : words) {
     std::string_view stem = word;
@@ -210,22 +210,20 @@ std::string deep_groove_of(std::string_view word) {
   return is_insert ? '6' + std::string(number) : "";
 }
 
-/// Replaces an insert bearing by the deep groove bearing with its rolling elements.
-Words with_deep_groove(const Words& words) {
-  Words found;
+/// Returns the deep groove bearing with the rolling elements of an insert bearing among the words;
+/// empty without such a word.
+std::string deep_groove_among(const Words& words) {
   for (const std::string& word : words) {
-    const std::string other = deep_groove_of(word);
-    found.push_back(other.empty() ? word : other);
+    if (std::string bearing = deep_groove_of(word); !bearing.empty()) return bearing;
   }
-  return found;
+  return {};
 }
 
-/// Returns the rows that share words with the request, as a hint. A seal counts only if the request
-/// has nothing else.
+/// Returns the rows that share the bearing's number with the request, as a hint; without a number
+/// in the request, the rows that share a word.
 std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
-  const Words stems = without_suffixes(written);
-  const Words& shared = stems.empty() ? written : stems;
-  const Words runs = runs_of(stems);
+  const Words runs = runs_of(without_suffixes(written));
+  const bool has_any_number = std::ranges::any_of(runs, has_number);
   std::vector<Row> like;
   for (const Row& row : rows) {
     const Words words = words_of(row.designation);
@@ -233,8 +231,8 @@ std::vector<Row> rows_like(const Words& written, const std::vector<Row>& rows) {
     const bool shares_a_run = std::ranges::any_of(runs, [&](const std::string& run) {
       return has_number(run) && holds_words(row_stems, run);
     });
-    const bool shares_a_word = std::ranges::find_first_of(words, shared) != words.end();
-    if (shares_a_run || shares_a_word) like.push_back(row);
+    const bool shares_a_word = std::ranges::find_first_of(words, written) != words.end();
+    if (has_any_number ? shares_a_run : shares_a_word) like.push_back(row);
   }
   return like;
 }
@@ -246,15 +244,16 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
   const Words words = words_of(designation);
   const std::vector<Row> found = rows_called(words, rows);
   if (found.empty()) {
-    const Words others = with_deep_groove(words);
-    const std::string like = designations_of(rows_like(others, rows));
+    const std::string insert = deep_groove_among(words);
+    const Words sought = insert.empty() ? words : Words{insert};
+    const std::string like = designations_of(rows_like(sought, rows));
     throw Error(Exit::bad_input,
                 "'" + designation + "' has no row in " + table.string() +
                     (like.empty() ? "" : "; similar are " + like) +
-                    (others == words ? ""
-                                     : "; an insert usually has the rolling elements of the deep "
-                                       "groove bearing " +
-                                           joined_words(others)) +
+                    (insert.empty() ? ""
+                                    : "; an insert usually has the rolling elements of the deep "
+                                      "groove bearing " +
+                                          insert) +
                     "; give balls, ball_diameter_mm, pitch_diameter_mm and contact_angle_deg, or "
                     "bpfo and bpfi, from a data sheet");
   }

@@ -351,21 +351,49 @@ TEST_F(InstrumentText, IsRefusedWithDecimalCommasBehindOtherColumns) {
   expect_refused("7,0,001,-282,227\n8,0,002,113,954\n9,0,003,-0,981\n", "4", why);
   expect_refused("0,5,25,-1\n1,-0,5,-2\n", "2", why);  // zeros at the end dropped
   expect_refused("0,4,123E-03\n1,5,12E+00\n", "2", why);
+  expect_refused("0,4,1E-03\n1,-5,2E+00\n", "3", why);
+  expect_refused("0,4,123 g\n1,5,025 g\n", "2", why);
+  expect_refused("0,,123\n1,-,250\n", "3",
+                 "line 2: holds -,250: " + why);  // no zero before the comma
+  expect_refused("10:00:00,000,0.5\n10:00:00,001,0.25\n", "2",
+                 "line 1: holds 10:00:00,000: " + why);
+  EXPECT_THAT(read_here(folder_.write("a.csv", "10:00:00,000,0.5\n10:00:00,001,0.25\n"), "3"),
+              ElementsAre(0.5, 0.25));
   // One decimal shows all ten digits.
   std::string digits;
   for (int i = 0; i < 30; ++i) digits += fmt::format("{},{},{}\n", i, 7 * i - 90, i * 7 % 10);
   expect_refused(digits, "2", why);
   expect_refused(digits, "3", why);
-  expect_refused("10:00:00,000,0.5\n10:00:00,001,0.25\n", "2",
-                 "line 1: holds 10:00:00,000: " + why);
-  EXPECT_THAT(read_here(folder_.write("a.csv", "10:00:00,000,0.5\n10:00:00,001,0.25\n"), "3"),
-              ElementsAre(0.5, 0.25));
-  // Columns that cannot be decimals are numbers.
-  EXPECT_THAT(read_here(folder_.write("a.csv", "0,5,05,-1\n1,4,10,7\n"), "4"), ElementsAre(-1, 7));
-  EXPECT_THAT(read_here(folder_.write("a.csv", "0,-282,-227\n1,113,54\n"), "3"),
-              ElementsAre(-227, 54));
-  EXPECT_THAT(read_here(folder_.write("a.csv", "0,-282,227,0.5\n1,113,054,0.25\n"), "3"),
-              ElementsAre(227, 54));
+}
+
+TEST_F(InstrumentText, IsRefusedWithDecimalCommasBelowTheNamesOfOtherColumns) {
+  const std::string why = ": the numbers seem to have decimal commas";
+  // These lines do not name three columns.
+  for (const char* above :
+       {"Zeit,Beschl,\n", "Rate,12000,Hz\nTime,Acc\n", "Device,Sensor,Unit\nTime,Acc\n"}) {
+    expect_refused(above + std::string("0,1,037\n1,2,465\n2,-3,991\n"), "3", "holds 1,037" + why);
+  }
+  expect_refused("Date,Time,Acc,Alarm\n05.01.2024,10:00:00,1,037,\n05.01.2024,10:00:01,2,465,\n",
+                 "Acc", "line 2: holds 1,037" + why);
+  // Programs write no columns with both a -0 and a 037, whatever their names and other columns.
+  expect_refused("Time,Acc,Mark\n0,1,037\n1,-0,465\n", "Acc", "line 2: holds 1,037" + why);
+  expect_refused("10.00,1,037\n10.01,-0,465\n", "2", "line 1: holds 1,037" + why);
+}
+
+TEST_F(InstrumentText, MayBeWholeNumbersThatAreNotDecimals) {
+  const auto read_whole = [&](const std::string& text, const std::string& column) {
+    return read_here(folder_.write("a.csv", text), column);
+  };
+  EXPECT_THAT(read_whole("0,5,05,-1\n1,4,10,7\n", "4"), ElementsAre(-1, 7));
+  EXPECT_THAT(read_whole("0,-282,-227\n1,113,54\n", "3"), ElementsAre(-227, 54));
+  EXPECT_THAT(read_whole("0,-282,227,0.5\n1,113,054,0.25\n", "3"), ElementsAre(227, 54));
+  EXPECT_THAT(read_whole("00001,00585,00378\n00002,00012,00403\n", "3"), ElementsAre(378, 403));
+  EXPECT_THAT(read_whole("START\n10,561\n20,563\n", "2"), ElementsAre(561, 563));
+  EXPECT_THAT(read_whole("x,y,z\n\"1\",543,383,384\n\"2\",540,380,381\n", "4"),
+              ElementsAre(384, 381));
+  std::string low;  // a converter's lowest values, next to those of another channel
+  for (int i = 0; i < 30; ++i) low += fmt::format("{},{}\n", 300 + i % 7, i % 10);
+  EXPECT_EQ(read_whole(low, "2").size(), 30U);
 }
 
 TEST_F(InstrumentText, IsRefusedWithFewerNamesThanFieldsOfWholeNumbers) {
@@ -381,6 +409,21 @@ TEST_F(InstrumentText, IsRefusedWithFewerNamesThanFieldsOfWholeNumbers) {
   // R writes no name above the row numbers.
   EXPECT_THAT(read_here(folder_.write("a.csv", "\"t\",\"acc\"\n\"1\",0,-5\n\"2\",1,13\n"), "3"),
               ElementsAre(-5, 13));
+}
+
+/// pandas writes the numbers of columns without names.
+TEST_F(InstrumentText, MayHaveColumnNumbersAsAHeader) {
+  EXPECT_THAT(read_here(folder_.write("a.csv", ",0,1\n0,103,93\n1,-7,12\n"), "2"),
+              ElementsAre(103, -7));
+}
+
+/// Tektronix oscilloscopes write metadata next to the first samples.
+TEST_F(InstrumentText, MayHaveMetadataNextToSamples) {
+  const std::string table =
+      "Record Length,2.5e+03,,-0.005,0.02,\nSample Interval,4e-06,,-0.004996,0.04,\n"
+      "Source,CH1,,-0.004992,0.02,\n,,,-0.004988,0.06,\n,,,-0.004984,0.08,\n";
+  EXPECT_THAT(read_here(folder_.write("a.csv", table), "5"),
+              ElementsAre(0.02, 0.04, 0.02, 0.06, 0.08));
 }
 
 TEST_F(InstrumentText, IsRefusedWithBlanksBetweenThousandsInEitherPart) {
@@ -513,6 +556,10 @@ TEST_F(InstrumentText, MayHaveAColumnOfDatesOrTimes) {
   const std::string why = " holds '01.02.2024 12:00:00', a date or time, not a number";
   expect_refused(dates, "1", ", line 2: column 1" + why);
   expect_refused(dates, "Time", ", line 2: column Time" + why);
+  std::string months = "Time,Acc\n";
+  for (int i = 0; i < 12'000; ++i) months += "05-Jan-2024 10:00:00,0.5\n";
+  expect_refused(months, "1",
+                 ", line 2: column 1 holds '05-Jan-2024 10:00:00', not a number; name");
   expect_refused("Time;Acc\n-;g\n01.02.2024 12:00:00;0,5\n", "Time", ", line 3: column Time" + why);
   expect_refused("Time;Acc\n-;g\n01.02.2024 12:00:00;0,5\n", "1", ", line 3: column 1" + why);
   // Words do the same.

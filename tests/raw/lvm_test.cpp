@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
@@ -45,6 +48,21 @@ class Lvm : public testing::Test {
   Folder folder_;
   const std::string one_ = lvm_header("No", "One") + segment_header("X_Value\tacc\tforce\tComment");
 };
+
+TEST_F(Lvm, IsRefusedWithCommasAsDecimalSignsAndBetweenFields) {
+  const auto with_commas = [](const std::string& decimal_sign) {
+    std::string text = lvm_header("No", "One", decimal_sign) +
+                       segment_header("X_Value\tacc\tforce\tComment") +
+                       "0\t1\t-7\n1\t-2\t8\n2\t3\t9\n";
+    std::ranges::replace(text, '\t', ',');
+    return text;
+  };
+  EXPECT_THAT(samples(with_commas("."), "force"), ElementsAre(-7, 8, 9));
+  expect_refused(
+      with_commas(","), "force",
+      ", line 11: ends a header with commas as decimal signs and between the fields; write "
+      "the file with tabs between the fields");
+}
 
 TEST_F(Lvm, MayHaveAByteOrderMark) {
   const std::string text = one_ + "0.0\t1.5\t-7\n0.1\t-2\t8\n0.2\t3\t9\n";

@@ -73,8 +73,9 @@ TEST(BearingTable, IgnoresASealWrittenWithoutADash) {
       folder.write("bearings.csv", some_rows +
                                        "X 6202,8,6,25,0,,,,,a\nX 6220,8,25,140,0,,,,,b\n"
                                        "X 16005,9,6,36,0,,,,,c\nX 22212,16,12,85,10,,,,,d\n");
-  for (const char* seal : {"2RS", "2RS1", "2RSH", "2RSR", "2Z", "2RZ", "2RSC3", "2Z/C3", "2RS C3",
-                           "-2RSC3", "-2ZRC3", "-2RUC3", "-2ZC3", "DD", "DDU"}) {
+  for (const char* seal :
+       {"2RS", "2RS1", "2RSH", "2RSR", "2Z", "2RZ", "2RSC3", "2Z/C3", "2RS C3", "-2RSC3", "-2ZRC3",
+        "-2RUC3", "-2ZC3", "DD", "DDU", "-2RS P6", "ZZ/C3 P5"}) {
     EXPECT_EQ(bearing_called("6205" + std::string(seal), table).at("pitch_diameter_mm"), 39.04);
     EXPECT_EQ(bearing_called("KG6205" + std::string(seal), table).at("pitch_diameter_mm"), 39);
     EXPECT_EQ(bearing_called("6202" + std::string(seal), table).at("pitch_diameter_mm"), 25);
@@ -99,7 +100,7 @@ TEST(BearingTable, NamesTheDeepGrooveBearingOfAnInsert) {
   for (const char* insert : {"UC205", "ASAHI UCP205", "UC 205"}) {
     EXPECT_ERROR(bearing_called(insert, table), Exit::bad_input, "' has no row in ");
   }
-  for (const std::string insert : {"UC205", "UCP205"}) {
+  for (const std::string insert : {"UC205", "UCP205", "UC205-16"}) {
     EXPECT_ERROR(bearing_called(insert, table), Exit::bad_input,
                  "; similar are SKF 6205-2RS JEM, KG 6205; an insert usually has the rolling "
                  "elements of the deep groove bearing 6205; give balls, ball_diameter_mm");
@@ -128,7 +129,7 @@ TEST(BearingTable, ListsSimilarBearings) {
   for (const std::string part : {"NU 2205 ECP", "NU2205-ECP", "NSK NU2205ZZ"}) {
     refused(part, "'" + part + "' has no row in " + table.string() + "; similar are FAG NU2205;");
   }
-  for (const std::string part : {"6311-2RS", "6311 2RS C3"}) {  // a seal is not enough
+  for (const std::string part : {"6311-2RS", "6311 2RS C3", "SKF 6311"}) {  // a seal is not enough
     refused(part, "'" + part + "' has no row in " + table.string() + "; give balls");
   }
   refused("6311", "'6311' has no row in " + table.string() + "; give balls");
