@@ -1,12 +1,17 @@
-# Finds broken links, unknown targets of make and pages that are too long. Every page is given twice: the first pass
-# collects the headings.
+# Finds broken links, unknown targets of make and pages that are too long. A word is what `wc -w` counts, outside blocks
+# of code between ```: cells and bars of tables, and indented commands, count. Every page is given twice: the first
+# pass collects the headings.
 # usage: awk -v targets="all cells ..." -v files="|a|b|" -f pages.awk PAGE... PAGE...
 
 BEGIN {
   most["README.md"] = 1300; most["docs/results.md"] = 2500; most["docs/method.md"] = 2500
   most["CONTRIBUTING.md"] = 2000; most["SECURITY.md"] = 700
-  most_of_a_page = 1200
+  most_of_a_page = 1000
   most_of_all = 22000
+  # Only the sum limits these.
+  most["docs/claims.md"] = most["docs/tables.md"] = most["CHANGELOG.md"] = most_of_all
+  most["pipeline/datasets/README.md"] = most_of_all
+  most_lines["README.md"] = 150
 }
 
 function finding(what) { printf "%s:%d: %s\n", FILENAME, FNR, what }
@@ -52,20 +57,16 @@ function check_target(line,    words, count, i) {
   }
 }
 
-function count_words(line,    words, count, i) {
-  count = split(line, words, /[ \t]+/)
-  for (i = 1; i <= count; ++i) words_of[FILENAME] += gsub(/[A-Za-z]/, "", words[i]) > 1
-}
-
 FNR == 1 { ++pass[FILENAME]; fenced = 0 }
+{ lines_of[FILENAME] = FNR }
 /^ *```/ { fenced = !fenced; next }
 pass[FILENAME] == 1 {
   if (!fenced && /^#+ /) anchors[FILENAME, anchor_of(substr($0, index($0, " ") + 1))] = 1
   next
 }
+!fenced { words_of[FILENAME] += NF }
 fenced || /^    / { check_target($0); next }
 {
-  count_words($0)
   rest = $0
   while (match(rest, /\]\([^)]*\)/)) {
     link = substr(rest, RSTART + 2, RLENGTH - 3)
@@ -79,6 +80,11 @@ END {
     all += words_of[page]
     limit = page in most ? most[page] : most_of_a_page
     if (words_of[page] > limit) printf "%s:1: has %d words; %d at most\n", page, words_of[page], limit
+  }
+  for (page in most_lines) {
+    if (lines_of[page] > most_lines[page]) {
+      printf "%s:1: has %d lines; %d at most\n", page, lines_of[page], most_lines[page]
+    }
   }
   if (all > most_of_all) printf "README.md:1: all pages have %d words; %d at most\n", all, most_of_all
 }

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Pages must link to existing targets, show existing goals of make, and stay short: each page has a limit, and all
-# together. Code does not count as words.
+# together.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/common.sh"
 

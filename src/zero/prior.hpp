@@ -8,7 +8,7 @@ namespace piae::zero {
 enum class Switch { on, off };
 
 /// Assumptions about faults and paths of a machine without known faults: the ranges from which each
-/// window draws. docs/piae-dt-zero.md gives their sources.
+/// window draws. pipeline/protocol.toml gives their sources.
 struct Prior {
   // The impact rate (impacts.hpp).
   double slip = 0.012;    ///< largest relative deviation of the impact rate, either way

@@ -88,8 +88,30 @@ test_a_link_to_nothing_and_an_unknown_target_are_found() {
 
 test_a_page_that_is_too_long_is_found() {
   copy_of_project
-  printf 'word %.0s' {1..1300} >>SECURITY.md
+  : >CHANGELOG.md # else all pages together could be too long, too
+  printf 'word %.0s' {1..300} >>SECURITY.md
   expect_finding '^SECURITY.md:1: has [0-9]+ words; 700 at most' pages
+}
+
+test_bars_of_tables_count_as_words_and_code_does_not() {
+  copy_of_project
+  : >CHANGELOG.md
+  { echo '```' && printf 'word %.0s' {1..300} && printf '\n```\n'; } >>SECURITY.md
+  expect_clean pages
+  printf '| %.0s' {1..300} >>SECURITY.md
+  expect_finding '^SECURITY.md:1: has [0-9]+ words; 700 at most' pages
+}
+
+test_pages_that_are_too_long_together_are_found() {
+  copy_of_project
+  printf 'word %.0s' {1..2000} >>CHANGELOG.md
+  expect_finding '^README.md:1: all pages have [0-9]+ words; 22000 at most' pages
+}
+
+test_a_readme_with_too_many_lines_is_found() {
+  copy_of_project
+  printf '\n%.0s' {1..150} >>README.md
+  expect_finding '^README.md:1: has [0-9]+ lines; 150 at most' pages
 }
 
 test_awkward_comments_are_found_and_names_in_code_are_not() {
