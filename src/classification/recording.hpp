@@ -16,7 +16,7 @@ namespace piae::classification {
 /// An unlabelled recording in a file of its own.
 struct LoneFile {
   std::filesystem::path file;
-  std::string variable;  ///< see raw_file.hpp
+  std::string variable;  ///< see raw/file.hpp
   double sample_rate_hz = 0;
   double shaft_speed_rpm = 0;
 };

@@ -3,8 +3,8 @@
 namespace piae::cli {
 
 /// Stops SIGTERM, SIGINT, SIGUSR1 and SIGHUP from ending the program. They make interrupted() true
-/// instead, so that the program can write a checkpoint first. srun passes USR1 on. HUP stays
-/// ignored under nohup. A stage of the grid calls this before Stage::run(), which reports its
+/// instead, so that the program can write a checkpoint first. Unblocks them, too. srun passes USR1
+/// on. HUP stays ignored under nohup. `train` calls this before Stage::run(), which reports its
 /// start: from then on it may receive signals.
 void catch_interrupts();
 /// Blocks these signals before the program is replaced by another one, which calls

@@ -9,11 +9,11 @@ namespace piae::inspection {
 // Flaws visible in how often a record takes each value. All functions need the file's own samples,
 // because resampling rounds them.
 
-/// Returns the number of distinct values if it is at most 16. Such a record uses 4 bits of a
-/// converter with 12 or more. At a crest factor of 4, usual for vibration, its RMS is 1.9 steps or
-/// less. Then rounding makes up more than 2 % of its power, and an impact below a sixteenth of the
-/// range leaves no trace. Returns nothing for fewer than ten samples per value, because the record
-/// is too short to judge.
+/// Returns the number of distinct values if it is at most 16; nothing if there are more. Such a
+/// record uses 4 bits of a converter with 12 or more. At a crest factor of 4, usual for vibration,
+/// its RMS is 1.9 steps or less. Then rounding makes up more than 2 % of its power, and an impact
+/// below a sixteenth of the range leaves no trace. Returns nothing for fewer than ten samples per
+/// value, because the record is too short to judge.
 std::optional<std::size_t> few_values(std::span<const double> samples);
 
 /// Samples exactly on the highest or lowest value of a record.

@@ -12,7 +12,7 @@
 
 namespace piae::monitor {
 
-/// Classifies windows that are not constant.
+/// Callback that classifies windows. Constant ones are removed first.
 using Predict = std::function<diagnosis::Predictions(const signal::WindowSet&)>;
 
 /// Judges successive windows: updates the alarm and makes a decision at regular intervals.

@@ -9,7 +9,8 @@
 
 namespace piae::phase {
 
-/// Returns the inference of a stored model. Throws artefact::Refusal if no training has written it.
+/// Returns the inference of a stored model. Throws artefact::Refusal if it is missing
+/// or has other shapes.
 std::unique_ptr<Inference> read_inference(const artefact::Reader& model);
 
 /// Returns the stiffness (N/m) and damping (N s/m) that a stored model of piae-dt-phase infers for

@@ -9,10 +9,10 @@
 
 namespace piae::plan {
 
-/// Resolves the settings of each stage in pipeline/. The settings go into small files of the run,
-/// results/RUN/.settings, which the stage reads by --config. So the plan compares exactly what a
-/// stage uses. A file holds values only, in alphabetical order, so comments and spacing do not
-/// count.
+/// Resolves each stage's settings from pipeline/protocol.toml and the descriptions. They are
+/// written below results/RUN/.settings (settings_files.hpp), where the stage reads them by
+/// --config, so the plan compares exactly what a stage uses. A file holds values only, in
+/// alphabetical order, so comments and spacing do not count.
 class StageSettings {
  public:
   /// `folder` is the folder of the run.

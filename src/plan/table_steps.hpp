@@ -16,7 +16,7 @@ namespace piae::plan {
 
 /// The cells of one data set of a run behind a table.
 struct TableCells {
-  std::vector<std::string> files;  ///< requested, or present and current
+  std::vector<std::string> files;  ///< chosen by with_held() (held_cells.hpp)
   std::vector<std::string>
       left_out;  ///< present but stale: files, or folders if everything in them is stale
 };

@@ -11,7 +11,7 @@
 
 namespace piae::report {
 
-/// Accuracies of a method minus others of the same seeds, at one ratio or in the mean of ratios.
+/// Accuracy of one row minus that of another, seed by seed, at one ratio or in the mean of ratios.
 struct PairedRow {
   std::string method;
   std::string ratio;

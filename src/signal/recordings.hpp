@@ -10,7 +10,8 @@
 
 namespace piae::signal {
 
-/// Stiffness and damping of eq. 13, for simulated signals and for windows generated from them.
+/// Stiffness and damping of eq. 13: true values of simulated signals, or values that a method
+/// infers, fits or draws.
 struct DynamicParameters {
   double stiffness_n_per_m = 0;  ///< k
   double damping_ns_per_m = 0;   ///< c

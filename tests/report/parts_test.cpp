@@ -123,8 +123,9 @@ TEST_F(Parts, ShowAccuracyByKindIfConditionsDiffer) {
                     HasSubstr(",edges,known,0,1to1,1,50.0000,,,,1,-30.0000,,,,95.0000,,,\n")));
   const std::string shown = text(sweep_of("edges=known", "0"));
   EXPECT_THAT(shown, HasSubstr("By fault type: a window counts as correct"));
-  EXPECT_THAT(shown,
-              HasSubstr("| edges=known    |     50.0 |             – |    95.0 |      -30.0 |"));
+  EXPECT_THAT(
+      shown,
+      HasSubstr("| edges=known    |     50.0 |             – |          95.0 |      -30.0 |"));
 }
 
 TEST_F(Parts, NeedTheMethodWithItsOwnSettings) {

@@ -179,8 +179,10 @@ TEST_F(IngestCheck, AMessageHasOnePlace) {
   const Outcome outcome =
       stages::run(folder_.path(), "ingest",
                   {"--description", "rig.toml", "--data-dir", "data", "--output", "records.h5"});
-  EXPECT_EQ(outcome.err,
-            "ingest: data/IR007.csv, line 3: column acceleration holds 'x', not a number\n");
+  EXPECT_EQ(
+      outcome.err,
+      "ingest: data/IR007.csv, line 3: column acceleration holds 'x', not a number; remove the "
+      "line, or get the file again\n");
 }
 
 TEST_F(IngestCheck, WarnsOfClippedSamples) {

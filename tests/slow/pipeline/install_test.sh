@@ -46,7 +46,7 @@ test_a_stage_finds_the_programs_next_to_it() {
     'ball_diameter_mm = 7.94' 'pitch_diameter_mm = 39' 'contact_angle_deg = 0' >rig.toml
   local class
   for class in none inner; do
-    awk -v loudness=${#class} 'BEGIN { for (i = 0; i < 3000; ++i) print loudness * sin(i + loudness) }' >$class.csv
+    awk -v level=${#class} 'BEGIN { for (i = 0; i < 3000; ++i) print level * sin(i + level) }' >$class.csv
     printf '%s\n' '[[class]]' "name = \"$class\"" "defect = \"$class\"" >>rig.toml
     [[ $class == none ]] || echo 'defect_size_mm = 0.3' >>rig.toml
     printf '%s\n' '[[record]]' "class = \"$class\"" "file = \"$class.csv\"" 'variable = "1"' 'sample_rate_hz = 12000' >>rig.toml

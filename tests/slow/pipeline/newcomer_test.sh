@@ -18,11 +18,11 @@ lay_out() {
 
 # Writes a recording: an impact every 80 samples, with ringing at a level that increases from class to class, and noise.
 record() { # file, level
-  awk -v loudness="$2" 'BEGIN {
-    srand(loudness + 1)
+  awk -v level="$2" 'BEGIN {
+    srand(level + 1)
     for (i = 0; i < 70000; ++i) {
       t = i % 80
-      printf "%.6f\n", loudness * exp(-t / 12) * sin(t * (0.8 + 0.1 * loudness)) + 0.2 * (rand() - 0.5)
+      printf "%.6f\n", level * exp(-t / 12) * sin(t * (0.8 + 0.1 * level)) + 0.2 * (rand() - 0.5)
     }
   }' >"$1"
 }
@@ -42,9 +42,9 @@ inner_raceway_mm = 31.06
 outer_raceway_mm = 46.94
 contact_angle_deg = 0
 RIG
-    local class loudness=0
+    local class level=0
     for class in none inner outer; do
-      record "recordings/$class.csv" $((loudness++))
+      record "recordings/$class.csv" $((level++))
       printf '[[class]]\nname = "%s-1"\ndefect = "%s"\n' $class $class
       [[ $class == none ]] || echo 'defect_size_mm = 0.3'
       printf '[[record]]\nclass = "%s-1"\nfile = "%s.csv"\nvariable = "1"\nsample_rate_hz = 12000\n' \
@@ -60,12 +60,12 @@ test_the_method_and_data_set_of_contributing_run_in_the_grid() {
   bin/ingest --check --description pipeline/datasets/rig.toml --data-dir recordings >messages 2>&1 ||
     fail "$(<messages)"
   make --silent all BIN=bin RUN=new DATASETS=rig METHODS="none reverse" RATIOS="100to1 10to1" \
-    SEEDS=0 CLASSIFIERS="wdcnn wdcnn-loudness" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
+    SEEDS=0 CLASSIFIERS="wdcnn wdcnn-magnitude" DATA_DIR=recordings >messages 2>&1 || fail "$(<messages)"
   expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn,10to1,45,1,'
-  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn-loudness,10to1,45,1,'
+  expect_line "$(<results/new/rig/accuracy.csv)" '^rig,reverse,wdcnn-magnitude,10to1,45,1,'
   expect_line "$(<results/new/rig/tables.md)" 'reverse'
   expect_line "$(<results/new/rig/figures/seed-range.svg)" '10to1'
-  [[ -f results/new/rig/figures/seed-range@wdcnn-loudness.svg ]] || fail "the shown classifier has no picture"
+  [[ -f results/new/rig/figures/seed-range@wdcnn-magnitude.svg ]] || fail "the shown classifier has no picture"
 }
 
 test_the_method_of_contributing_plays_backwards() {
