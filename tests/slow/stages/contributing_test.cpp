@@ -22,14 +22,14 @@ std::string shown(const std::string& stage) {
   return fs::relative(fs::path(PIAE_SHOWN) / "bin" / stage, PIAE_BIN);
 }
 
-/// Returns 6 s at 12 kHz: a decaying oscillation of amplitude `loudness` every 80 samples, and some
+/// Returns 6 s at 12 kHz: a decaying oscillation of amplitude `level` every 80 samples, and some
 /// noise.
-std::string recording(double loudness) {
+std::string recording(double level) {
   Stream noise("recording");
   std::string text;
   for (int i = 0; i < 72000; ++i) {
     const double since_impact = i % 80;
-    text += std::to_string(loudness * std::exp(-since_impact / 12) * std::sin(since_impact) +
+    text += std::to_string(level * std::exp(-since_impact / 12) * std::sin(since_impact) +
                            noise.normal(0, 0.1)) +
             '\n';
   }
@@ -69,9 +69,9 @@ TEST(ShownClassifier, IsTrainedOnItsInput) {
   const Tiny tiny;
   tiny.run_chain_before("diagnose");
   const Outcome diagnosed = tiny.run(
-      shown("diagnose"), with(step_of("diagnose").arguments, "--classifier", "wdcnn-loudness"));
+      shown("diagnose"), with(step_of("diagnose").arguments, "--classifier", "wdcnn-magnitude"));
   ASSERT_EQ(diagnosed.status, 0) << diagnosed.err;
-  EXPECT_THAT(diagnosed.out, HasSubstr("(piae-dt 50to1, wdcnn-loudness, seed 0): accuracy"));
+  EXPECT_THAT(diagnosed.out, HasSubstr("(piae-dt 50to1, wdcnn-magnitude, seed 0): accuracy"));
 }
 
 TEST(ShownMethod, PlaysTheKnownWindowsBackwards) {
