@@ -60,6 +60,7 @@ double Carrier::draw_size_mm(std::size_t known, Stream& random) const {
   double least = std::numeric_limits<double>::max();
   double largest = 0;
   for (const std::size_t i : known_.indices_of(known_.labels[known])) {
+    if (known_.size_mm(i) == 0) continue;  // unknown
     least = std::min(least, known_.size_mm(i));
     largest = std::max(largest, known_.size_mm(i));
   }
@@ -75,7 +76,7 @@ Carrier::Draw Carrier::draw(const Journey& journey, Stream& random) const {
   Draw draw{.rate = {.period = period_s(known_, known, rpm), .jitter = options_.jitter},
             .edges = edges_[known],
             .path = {}};
-  if (options_.edges == Set::tested) {
+  if (options_.edges == Set::tested && known_.size_mm(known) > 0) {
     const double size_mm = draw_size_mm(known, random);
     draw.edges.lag_s *= passage_s(known_, known, size_mm, journey.to_rpm) /
                         passage_s(known_, known, known_.size_mm(known), journey.from_rpm) *

@@ -40,7 +40,8 @@ constexpr StoredPart stored_parts[] = {
 }  // namespace
 
 std::vector<impacts::Edges> edges_of_known(const signal::WindowSet& known, const EdgePrior& prior) {
-  const std::vector<KnownBearing> bearings = bearings_of(known);
+  std::vector<KnownBearing> bearings = bearings_of(known);
+  std::erase_if(bearings, [](const KnownBearing& bearing) { return bearing.size_mm == 0; });
   std::vector<SeenBearing> all;
   all.reserve(bearings.size());
   for (const KnownBearing& bearing : bearings) all.push_back(seen(known, bearing));

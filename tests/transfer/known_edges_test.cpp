@@ -21,6 +21,23 @@ TEST(KnownEdges, AreFoundInWindowsOfOneMachine) {
   }
 }
 
+/// Returns the machine of one_machine() without the size of class 1.
+signal::WindowSet without_a_size() {
+  signal::WindowSet known = one_machine();
+  known.info.classes[1].defect_size_mm = 0;
+  return known;
+}
+
+TEST(KnownEdges, AreMissingForAnUnknownSize) {
+  const signal::WindowSet known = without_a_size();
+  const std::vector<impacts::Edges> edges = edges_of_known(known, {});
+  for (const std::size_t i : known.indices_of(1)) {
+    EXPECT_EQ(edges[i].lag_s, 0);
+    EXPECT_EQ(edges[i].exit, 0);
+  }
+  for (const std::size_t i : known.indices_of(2)) EXPECT_GT(edges[i].lag_s, 0);
+}
+
 TEST(StoredEdges, AreReadAsWrittenAndRefusedIfImpossible) {
   const auto stored = [](const std::vector<impacts::Edges>& edges) {
     artefact::Writer writer("model");
