@@ -139,8 +139,9 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
   EXPECT_EQ(
       refusal("piae-dt-phase"),
       "C.h5: piae-dt-phase needs defect_size_mm of class bad, which the description of rig "
-      "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, piae-dt-zero, "
-      "oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, resample, "
+      "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, strike-twin, "
+      "piae-dt-zero, oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, "
+      "resample, "
       "randomise, healthy-plus-impulses, oracle");
   EXPECT_EQ(refusal("piae-dt-zero"), "");
   info.classes[1].defect = signal::Defect::other;

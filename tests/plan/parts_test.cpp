@@ -42,9 +42,9 @@ TEST_F(PartsOfARequest, RefuseAMethodIfTheDescriptionLacksKeys) {
              "name = \"real\"\n[bearing]\n[[class]]\nname = \"a\"\ndefect = \"outer\"\n");
   experiment_ = read_experiment(run_.pipeline.path());
   request_.datasets = "real";
-  request_.methods = "none smote strike-twin";
+  request_.methods = "none smote piae-dt-phase";
   EXPECT_EQ(refusal(),
-            "METHODS: strike-twin cannot be run; the description of real lacks what they need: "
+            "METHODS: piae-dt-phase cannot be run; the description of real lacks what they need: "
             "defect_size_mm of every fault; choose METHODS=\"none smote\"");
   request_.methods = std::nullopt;
   const Choice choice = choose(experiment_, request_);
