@@ -39,10 +39,9 @@ Carrier::Carrier(const signal::WindowSet& known, const std::vector<impacts::Edge
     const std::size_t any = bearing.windows.front();
     const signal::DynamicParameters ring =
         impacts::strongest_ring(structure_.common + structure_.own[any], options.mass_kg, rate_hz);
-    const double period = period_s(known, any, bearing.speed_rpm) * rate_hz;
     for (const std::size_t i : bearing.windows) {
       const std::vector<double> samples = samples_of_window(known, i);
-      const Comb comb = find_comb(samples, period);
+      const Comb comb = find_comb(samples, period_s(known, i, known.speed_rpm(i)) * rate_hz);
       windows_[i] = {.alike = bearing.windows,
                      .ring = ring,
                      .comb = comb,

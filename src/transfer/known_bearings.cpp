@@ -18,15 +18,20 @@ const signal::ClassInfo& class_of(const signal::WindowSet& known, std::size_t i)
 }  // namespace
 
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known) {
-  std::map<std::tuple<Label, double, double>, std::vector<std::size_t>> windows;
+  std::map<std::tuple<Label, std::int32_t, double>, KnownBearing> bearings_by_key;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    windows[{known.labels[i], known.speed_rpm(i), known.size_mm(i)}].push_back(i);
+    const std::int32_t condition =
+        known.condition.empty() ? signal::every_condition : known.condition[i];
+    KnownBearing& bearing = bearings_by_key[{known.labels[i], condition, known.size_mm(i)}];
+    bearing.label = known.labels[i];
+    bearing.size_mm = known.size_mm(i);
+    bearing.speed_rpm += known.speed_rpm(i);
+    bearing.windows.push_back(i);
   }
   std::vector<KnownBearing> bearings;
-  for (auto& [what, own] : windows) {
-    const auto [label, speed_rpm, size_mm] = what;
-    bearings.push_back(
-        {.label = label, .speed_rpm = speed_rpm, .size_mm = size_mm, .windows = std::move(own)});
+  for (auto& [key, bearing] : bearings_by_key) {
+    bearing.speed_rpm /= static_cast<double>(bearing.windows.size());
+    bearings.push_back(std::move(bearing));
   }
   return bearings;
 }

@@ -7,15 +7,16 @@
 
 namespace piae::transfer {
 
-/// Known windows of one bearing in one condition: of one class, speed and size.
+/// Known windows of one bearing: of one class, condition and size. Its records may differ a little
+/// in speed.
 struct KnownBearing {
   Label label = 0;
-  double speed_rpm = 0;
+  double speed_rpm = 0;  ///< the mean over its windows
   double size_mm = 0;
   std::vector<std::size_t> windows;  ///< indices in their set, ascending
 };
 
-/// Returns the known bearings by class, then by speed, then by size.
+/// Returns the known bearings by class, then by condition, then by size.
 std::vector<KnownBearing> bearings_of(const signal::WindowSet& known);
 
 /// True if the tested bearings are not the known ones: windows have sizes of their own (each size

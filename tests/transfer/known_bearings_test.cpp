@@ -28,16 +28,19 @@ TEST(Kinematics, RefuseAnImpactRateAboveHalfTheSampleRate) {
   EXPECT_ERROR(require_rate(known), Exit::bad_input, "at 1e+06 rpm");
 }
 
-TEST(Bearings, GroupWindowsByClassSpeedAndSize) {
+TEST(Bearings, GroupWindowsByClassConditionAndSize) {
   signal::WindowSet known = one_machine();
-  known.shaft_speed_rpm[3] = 900;
+  known.condition[3] = 1;
+  known.shaft_speed_rpm[3] = 600;
+  known.shaft_speed_rpm[4] = 1240;  // another record in the same condition
   known.defect_size_mm.assign(20, 1.0);
   known.defect_size_mm[7] = 0.5;
   const std::vector<KnownBearing> bearings = bearings_of(known);
   ASSERT_EQ(bearings.size(), 6U);
-  EXPECT_EQ(bearings[0].windows, (std::vector<std::size_t>{3}));
-  EXPECT_EQ(bearings[0].speed_rpm, 900);
-  EXPECT_EQ(bearings[1].windows, (std::vector<std::size_t>{0, 1, 2, 4}));
+  EXPECT_EQ(bearings[0].windows, (std::vector<std::size_t>{0, 1, 2, 4}));
+  EXPECT_EQ(bearings[0].speed_rpm, 1210);
+  EXPECT_EQ(bearings[1].windows, (std::vector<std::size_t>{3}));
+  EXPECT_EQ(bearings[1].speed_rpm, 600);
   EXPECT_EQ(bearings[2].windows, (std::vector<std::size_t>{7}));
   EXPECT_EQ(bearings[2].size_mm, 0.5);
 }
