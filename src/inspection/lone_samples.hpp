@@ -16,6 +16,8 @@ struct LoneSamples {
 /// Finds spikes of one sample or of two adjacent samples. A spike is ten times as far from the
 /// middle of its eight neighbours on either side as any of these; the farther of two is a hundred
 /// times as far. A spike is also farther from the mean than every sample with ordinary neighbours.
+/// Up to ten first samples count, too, if each is three times as far from the mean as all others:
+/// numbers of a header that has the format of the samples.
 ///
 /// Vibration cannot have spikes. Recorders remove frequencies above 0.45 of the sample rate. The
 /// narrowest remaining pulse is sin(0.9 pi n) / (0.9 pi n), whose neighbours reach 0.11 of its

@@ -51,6 +51,21 @@ TEST(LoneSamples, FindASpikeAtAnEndOrOnADrift) {
   EXPECT_EQ(lone_samples(samples).farthest, samples.size() - 1);
 }
 
+/// A rate and a count of samples above whole numbers have the format of samples.
+TEST(LoneSamples, FindNumbersOfAHeader) {
+  for (const Samples& above : {Samples{12000, 24000}, Samples{5000, 6000, 4000}, Samples{5000}}) {
+    Samples samples = above;
+    for (const double x : ringing()) samples.push_back(std::round(900 * x));
+    const LoneSamples found = lone_samples(samples);
+    EXPECT_LT(found.others, 1500);
+    EXPECT_EQ(found.count, above.size());
+    EXPECT_LT(found.farthest, above.size());
+  }
+  Samples samples = ringing();
+  samples[0] = samples[1] = 2 * lone_samples(samples).others;  // an impact just before the record
+  EXPECT_EQ(lone_samples(samples).count, 0U);
+}
+
 TEST(LoneSamples, FindASpikeOfTwoSamples) {
   for (const auto& [first, second] :
        {std::pair{300., 300.}, std::pair{300., -300.}, std::pair{-300., -90.}, std::pair{80., 300.},
