@@ -36,13 +36,13 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     const report::Contrast contrast = report::read_contrast({with, without}, options, leave_out);
     const report::Document document = report::contrast_document(contrast);
-    const auto beside = [&](const char* extension) {
+    const auto file = [&](const char* extension) {
       return fs::path(output).replace_extension(extension);
     };
-    text::save_all({{beside(".md"), report::markdown(document)},
-                    {beside(".csv"), report::contrast_csv(contrast)},
-                    {beside(".tex"), report::latex(document)}});
+    text::save_all({{file(".md"), report::markdown(document)},
+                    {file(".csv"), report::contrast_csv(contrast)},
+                    {file(".tex"), report::latex(document)}});
     std::cout << fmt::format("compared {} cells of two runs: {}\n", contrast.rows.size(),
-                             beside(".md").string());
+                             file(".md").string());
   });
 }

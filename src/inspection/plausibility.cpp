@@ -27,11 +27,11 @@ std::optional<RacewayMismatch> raceway_mismatch(const bearing::Geometry& g) {
 double share_that_meets_training(std::size_t stride, std::size_t window, std::size_t windows,
                                  std::size_t training) {
   const std::size_t others = windows - 1;
-  const std::size_t beside = std::min(others, 2 * ((window - 1) / stride));
+  const std::size_t overlapping = std::min(others, 2 * ((window - 1) / stride));
   double none = 1;
   for (std::size_t i = 0; i < training; ++i) {
-    if (i + beside >= others) return 1;
-    none *= static_cast<double>(others - beside - i) / static_cast<double>(others - i);
+    if (i + overlapping >= others) return 1;
+    none *= static_cast<double>(others - overlapping - i) / static_cast<double>(others - i);
   }
   return 1 - none;
 }

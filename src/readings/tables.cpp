@@ -84,7 +84,7 @@ Section accuracy_section(const Readings& readings, const std::vector<Row>& rows)
 
 Section quality_section(const Readings& readings, const std::vector<Row>& rows) {
   return {
-      "quality", "The generated windows beside real ones",
+      "quality", "The generated windows next to real ones",
       "Means over the classes. Real windows have an amplitude ratio of 1.",
       table_of(readings, rows,
                {{.heading = "MMD²", .quantity = "mmd", .decimals = 3},

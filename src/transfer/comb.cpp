@@ -90,8 +90,8 @@ std::vector<double> seen_strengths(std::span<const double> window, const Comb& c
   const double median = sorted[sorted.size() / 2];
   std::vector<double> all;
   double sum = 0;
-  for (const std::size_t strike : comb.impact_positions(window.size())) {
-    all.push_back(std::max(0.0, envelope[static_cast<Index>(strike)] - median));
+  for (const std::size_t impact : comb.impact_positions(window.size())) {
+    all.push_back(std::max(0.0, envelope[static_cast<Index>(impact)] - median));
     sum += all.back();
   }
   for (double& one : all) one = sum > 0 ? one * static_cast<double>(all.size()) / sum : 1;

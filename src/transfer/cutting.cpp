@@ -66,9 +66,9 @@ std::vector<Cut> cut_responses(std::span<const double> window, const Comb& comb)
   const auto lead = static_cast<std::size_t>(lead_part * comb.period);
   const auto length = static_cast<std::size_t>(comb.period);
   std::vector<Cut> responses;
-  for (const std::size_t strike : comb.impact_positions(window.size())) {
-    if (strike < lead || strike - lead + length > window.size()) continue;
-    const auto part = window.subspan(strike - lead, length);
+  for (const std::size_t impact : comb.impact_positions(window.size())) {
+    if (impact < lead || impact - lead + length > window.size()) continue;
+    const auto part = window.subspan(impact - lead, length);
     responses.emplace_back(part.begin(), part.end());
   }
   return responses;
@@ -94,8 +94,8 @@ ImpactWindow with_impacts(const std::vector<Cut>& responses, const impacts::Impa
       fade_out(response, response.size() - gap);
     }
     add_at(std::lround(place), response, window.samples);
-    const double strike = place + lead;
-    if (strike >= 0 && strike < end) window.impact_positions.push_back(strike);
+    const double impact = place + lead;
+    if (impact >= 0 && impact < end) window.impact_positions.push_back(impact);
   });
   return window;
 }

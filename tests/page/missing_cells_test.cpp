@@ -19,10 +19,10 @@ TEST(ProblemsByFile, NameTheirFile) {
   const run::Layout layout("results/t", "cwru");
   const ProblemsByFile problems(
       layout, {"method shift, seed 1: results/t/cwru/seed1/shift/score.h5: is empty",
-               "method shift, seed 11: results/t/cwru/seed11/shift/score.h5: is no file",
+               "method shift, seed 11: results/t/cwru/seed11/shift/score.h5: is not a file",
                "a line that names none"});
   EXPECT_EQ(problems.with(layout.score("shift", 11)),
-            "results/t/cwru/seed11/shift/score.h5: is no file");
+            "results/t/cwru/seed11/shift/score.h5: is not a file");
   EXPECT_EQ(problems.with(layout.score("shift", 1)),
             "results/t/cwru/seed1/shift/score.h5: is empty");
   EXPECT_EQ(problems.with(layout.score("shift", 2)), "");

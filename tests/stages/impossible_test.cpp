@@ -186,7 +186,7 @@ TEST_F(Impossible, Windows) {
            "window 0 is constant"},
           {"cut at the end of time",
            first_number("/first_sample", std::numeric_limits<std::int64_t>::max()), "first_sample"},
-          {"a group in the place of the windows",
+          {"a group instead of the windows",
            [](hid_t file) {
              H5Ldelete(file, "/windows", H5P_DEFAULT);
              artefact::hdf5::make_group(file, "/windows");

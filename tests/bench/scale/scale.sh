@@ -20,7 +20,7 @@ shift
 sizes=("$@")
 (($#)) || sizes=(1x10 10x10 10x100)
 for size in "${sizes[@]}"; do
-  [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "'$size' is no size"
+  [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "'$size' is not a size"
 done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
