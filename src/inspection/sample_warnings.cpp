@@ -23,9 +23,9 @@ void add_clipped(const RecordCheck& record, const std::string& place, Lines& lin
   if (clipped.count > 0) {
     lines.push_back(fmt::format(
         "{}: clipped: {} samples in {} stretches are flat at the highest or lowest value (the "
-        "longest: {} samples at {:g} from sample {}); the impacts that show a fault are cut off",
+        "longest: {} samples at {:g} from {}); the impacts that show a fault are cut off",
         place, clipped.samples, clipped.count, clipped.longest, clipped.value,
-        clipped.longest_first));
+        sample_text(record, clipped.longest_first)));
     return;
   }
   const CutTops& cut = record.cut_tops;
@@ -44,12 +44,13 @@ void add_clipped(const RecordCheck& record, const std::string& place, Lines& lin
 void add_held(const RecordCheck& record, const std::string& place, Lines& lines) {
   const Stretches& held = record.held;
   if (held.count == 0) return;
-  lines.push_back(fmt::format(
-      "{}: constant at {:g} for {} samples ({:.3g} s) from sample {}; {} such stretch{}, "
-      "{:.3g} % of the record; windows from there do not show vibration",
-      place, held.value, held.longest,
-      static_cast<double>(held.longest) / record.source.sample_rate_hz, held.longest_first,
-      held.count, held.count == 1 ? "" : "es", percent(held.samples, record.file_samples)));
+  lines.push_back(
+      fmt::format("{}: constant at {:g} for {} samples ({:.3g} s) from {}; {} such stretch{}, "
+                  "{:.3g} % of the record; windows from there do not show vibration",
+                  place, held.value, held.longest,
+                  static_cast<double>(held.longest) / record.source.sample_rate_hz,
+                  sample_text(record, held.longest_first), held.count, held.count == 1 ? "" : "es",
+                  percent(held.samples, record.file_samples)));
 }
 
 void add_lone(const RecordCheck& record, const std::string& place, Lines& lines) {
@@ -59,10 +60,10 @@ void add_lone(const RecordCheck& record, const std::string& place, Lines& lines)
                                ? " is an isolated spike"
                                : fmt::format(" and {} more are isolated spikes", lone.count - 1);
   lines.push_back(
-      fmt::format("{}: sample {} ({:g}){} from the converter or cable: the neighbours are normal, "
+      fmt::format("{}: {} ({:g}){} from the converter or cable: the neighbours are normal, "
                   "and no other sample is farther than {:.3g} from the mean; a spike sets the "
                   "level of its window, so replace it by the mean of its neighbours",
-                  place, lone.farthest, lone.value, more, lone.others));
+                  place, sample_text(record, lone.farthest), lone.value, more, lone.others));
 }
 
 void add_repeats(const RecordCheck& record, const std::string& place, Lines& lines) {
@@ -71,10 +72,11 @@ void add_repeats(const RecordCheck& record, const std::string& place, Lines& lin
   const std::string more =
       found.count == 1 ? "" : fmt::format(" (the longest of {} such stretches)", found.count);
   lines.push_back(fmt::format(
-      "{}: samples {} to {} repeat samples {} to {} exactly{}, {:.3g} % of the record; test "
+      "{}: {} repeat {} exactly{}, {:.3g} % of the record; test "
       "windows then equal training windows, even with PROTOCOL=blocked; cut the file there",
-      place, found.first, found.first + found.longest - 1, found.original,
-      found.original + found.longest - 1, more, percent(found.samples, record.file_samples)));
+      place, samples_text(record, found.first, found.first + found.longest - 1),
+      samples_text(record, found.original, found.original + found.longest - 1), more,
+      percent(found.samples, record.file_samples)));
 }
 
 std::string times_text(std::size_t count) {
@@ -100,9 +102,10 @@ void add_dropouts(const RecordCheck& record, const std::string& place, Lines& li
   if (found.gaps == 0) return;
   lines.push_back(fmt::format(
       "{}: the times in column {} jump {}: {} sample{} missing; the longest gap, of {}, follows "
-      "sample {}; a window across a gap is not continuous; cut the file there",
+      "{}; a window across a gap is not continuous; cut the file there",
       place, found.column, times_text(found.gaps), found.missing,
-      found.missing == 1 ? " is" : "s are", found.longest, found.longest_after));
+      found.missing == 1 ? " is" : "s are", found.longest,
+      sample_text(record, found.longest_after)));
 }
 
 /// Adds a warning if times go back: the file holds several recordings one after another.

@@ -182,6 +182,24 @@ TEST(Warnings, NameStretchesThatRepeat) {
   expect_one(found, {"exactly (the longest of 2 such stretches), 3 % of"});
 }
 
+/// Samples of a record of several files are counted in their file.
+TEST(Warnings, NameTheFileOfASample) {
+  Found found;
+  RecordCheck& record = found.check.records[0];
+  record.files = {{.name = "a.csv", .samples = 60000}, {.name = "b.csv", .samples = 60000}};
+  record.lone = {1, 70000, 300, 1.0725};
+  expect_one(found, {"sample 10000 of b.csv (300) is an isolated spike"});
+  record.lone = {};
+  record.repeats = {1, 3000, 3000, 70000, 512};
+  expect_one(found,
+             {"samples 10000 to 12999 of b.csv repeat samples 512 to 3511 of a.csv exactly"});
+  record.repeats = {1, 3000, 3000, 58000, 512};
+  expect_one(found, {"sample 58000 of a.csv to sample 999 of b.csv repeat samples 512 to"});
+  record.repeats = {};
+  record.clipped = {7, 31, 6, 59999, -4.99};
+  expect_one(found, {"6 samples at -4.99 from sample 59999 of a.csv"});
+}
+
 TEST(Warnings, NameSamplesThatAreMissing) {
   Found found;
   raw::Times times{.column = 1, .gaps = 1, .missing = 1, .longest = 1, .longest_after = 4710};
