@@ -116,7 +116,7 @@ void add_steps_back(const RecordCheck& record, const std::string& place, Lines& 
   lines.push_back(
       fmt::format("{}: the times in column {}{} go back {}, first after sample {}: several "
                   "recordings seem to follow each other; cut the file there",
-                  place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
+                  place, file->times.column, of_file(record, *file),
                   times_text(file->times.steps_back), file->times.first_back_after));
 }
 
@@ -128,8 +128,7 @@ void add_uneven(const RecordCheck& record, const std::string& place, Lines& line
   lines.push_back(
       fmt::format("{}: the times in column {}{} step unevenly, by {:.3g} on average; spectra of "
                   "such samples are wrong; record at a constant rate, or resample to one",
-                  place, file->times.column, record.files.size() > 1 ? " of " + file->name : "",
-                  file->times.mean_step));
+                  place, file->times.column, of_file(record, *file), file->times.mean_step));
 }
 
 /// Adds a warning if a file may end within a number.
@@ -139,7 +138,7 @@ void add_cut_end(const RecordCheck& record, const std::string& place, Lines& lin
   lines.push_back(fmt::format(
       "{}: the last number{} has no line end and is shorter than 95 % of the others, so the file "
       "may be cut off; get it again, or remove its last line",
-      place, record.files.size() > 1 ? " of " + file->name : ""));
+      place, of_file(record, *file)));
 }
 
 /// Adds a warning if the times contradict sample_rate_hz. Even times with a known unit do not get
@@ -154,8 +153,7 @@ void add_other_rate(const RecordCheck& record, const std::string& place, Lines& 
     lines.push_back(fmt::format(
         "{}: the times in column {}{} step by {:.5g}, {} {:.5g} Hz in {}, but sample_rate_hz = "
         "{:g}; all fault frequencies are off by that factor; correct the times or the rate",
-        place, times.column, record.files.size() > 1 ? " of " + file.name : "",
-        times.step > 0 ? times.step : times.mean_step,
+        place, times.column, of_file(record, file), times.step > 0 ? times.step : times.mean_step,
         times.unit_s > 0 ? "which is" : "which would be", other->hz, raw::unit_name(other->unit_s),
         stated_hz));
     return;

@@ -10,16 +10,15 @@ namespace piae::inspection {
 
 namespace {
 
-/// A sample of one of a record's files.
-struct Place {
-  const FileCheck* file = nullptr;  ///< null if the record has one file
-  std::size_t sample = 0;           ///< counted in the file
+struct SamplePlace {
+  std::size_t sample = 0;  ///< counted in its file
+  std::string of_file = {};
 };
 
-Place place_in(const RecordCheck& record, std::size_t sample) {
-  if (record.files.size() < 2) return {.file = nullptr, .sample = sample};
+SamplePlace place_in(const RecordCheck& record, std::size_t sample) {
+  if (record.files.size() < 2) return {.sample = sample};
   for (const FileCheck& file : record.files) {
-    if (sample < file.samples) return {.file = &file, .sample = sample};
+    if (sample < file.samples) return {.sample = sample, .of_file = of_file(record, file)};
     sample -= file.samples;
   }
   throw std::logic_error("the record has fewer samples");
@@ -27,20 +26,22 @@ Place place_in(const RecordCheck& record, std::size_t sample) {
 
 }  // namespace
 
+std::string of_file(const RecordCheck& record, const FileCheck& file) {
+  return record.files.size() > 1 ? " of " + file.name : "";
+}
+
 std::string sample_text(const RecordCheck& record, std::size_t sample) {
-  const Place place = place_in(record, sample);
-  const std::string of_file = place.file == nullptr ? "" : " of " + place.file->name;
-  return fmt::format("sample {}{}", place.sample, of_file);
+  const SamplePlace place = place_in(record, sample);
+  return fmt::format("sample {}{}", place.sample, place.of_file);
 }
 
 std::string samples_text(const RecordCheck& record, std::size_t first, std::size_t last) {
-  const Place from = place_in(record, first);
-  const Place to = place_in(record, last);
-  if (from.file != to.file) {
+  const SamplePlace from = place_in(record, first);
+  const SamplePlace to = place_in(record, last);
+  if (from.of_file != to.of_file) {
     return sample_text(record, first) + " to " + sample_text(record, last);
   }
-  const std::string of_file = from.file == nullptr ? "" : " of " + from.file->name;
-  return fmt::format("samples {} to {}{}", from.sample, to.sample, of_file);
+  return fmt::format("samples {} to {}{}", from.sample, to.sample, from.of_file);
 }
 
 std::string place_of(const signal::RecordSource& source) {

@@ -13,6 +13,9 @@ namespace piae::inspection {
 /// Returns a text such as "IR007 (cwru/105.mat, variable X105_DE_time)".
 std::string place_of(const signal::RecordSource& source);
 
+/// Returns a text such as " of acc_2.csv"; empty for a record of one file.
+std::string of_file(const RecordCheck& record, const FileCheck& file);
+
 /// Returns a text such as "sample 5"; for a record of several files "sample 5 of acc_2.csv",
 /// counted in that file.
 std::string sample_text(const RecordCheck& record, std::size_t sample);

@@ -3,7 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <optional>
-#include <utility>
 
 #include "raw/csv_fields.hpp"
 
@@ -46,7 +45,7 @@ void CsvDoubts::look_at(std::size_t line, const CsvRow& row, std::string_view al
   }
   if (layout_.separator == ' ' && layout_.fields == 2 && !layout_.has_name) {
     const std::string_view low = layout_.column == 0 ? row.next : row.requested_field;
-    const bool is_group = low.size() == 3 && low.find_first_not_of("0123456789") == low.npos;
+    const bool is_group = low.size() == 3 && is_digits(low);
     all_in_groups_ = all_in_groups_ && is_group && row.first.find('.') == low.npos;
     any_padded_ = any_padded_ || low.starts_with('0');
   }
@@ -100,21 +99,18 @@ void CsvDoubts::require_none() const {
 }
 
 void CsvDoubts::require_no_decimal_commas() const {
-  if (layout_.separator != ',') return;
   const std::string why =
       ": the numbers seem to have decimal commas, and the fields commas between them; write "
       "decimal points, or separate the fields by semicolons";
   const bool has_few_names = layout_.names < layout_.fields && layout_.fields <= 2 * layout_.names;
-  for (const auto& [pair, exists] : {std::pair(before_, layout_.column > 0),
-                                     std::pair(behind_, layout_.column + 1 < layout_.fields)}) {
-    if (!exists) continue;
-    if (const auto evidence = pair.evidence(layout_.has_name, has_points_)) {
+  for (const TornDecimals* pair : {&before_, &behind_}) {
+    if (const auto evidence = pair->evidence(layout_.has_name, has_points_)) {
       refuse_csv_line(
           file_, evidence->line,
           fmt::format("holds {},{}{}{}", evidence->field, evidence->next, why,
                       layout_.has_name ? "" : ", or name each column if they are whole numbers"));
     }
-    if (has_few_names && !has_points_ && pair.may_be_decimals()) {
+    if (has_few_names && !has_points_ && pair->may_be_decimals()) {
       refuse_csv_line(
           file_, layout_.first_line,
           fmt::format("has {} fields below a header of {}{}", layout_.fields, layout_.names, why));

@@ -17,6 +17,11 @@ inline std::string_view trimmed(std::string_view text, const char* what) {
   return text.substr(first, text.find_last_not_of(what) - first + 1);
 }
 
+/// True if the text is one digit or more, and nothing else.
+inline bool is_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// True if the text has letters, as column names do. Few damaged numbers have any.
 inline bool holds_letters(std::string_view text) {
   return std::ranges::any_of(text, [](char c) {

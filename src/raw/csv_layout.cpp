@@ -157,6 +157,11 @@ class Search {
     return fields_of(file_, line.number, line.text, separator);
   }
 
+  /// Returns the line where the numbers start; the end of the lines if the text has none.
+  [[nodiscard]] std::vector<Line>::const_iterator first_row(const CsvLayout& layout) const {
+    return std::ranges::find(lines_, layout.first_line, &Line::number);
+  }
+
   /// True if the numbers of the column may start here.
   [[nodiscard]] bool holds_number(const Line& line, char separator, std::size_t count,
                                   std::size_t column) const {
@@ -169,7 +174,7 @@ class Search {
   /// True if a line of words directly above the numbers names the column. Lines below it may hold
   /// units. A line with more or fewer words does not name columns: which one is missing is unknown.
   [[nodiscard]] bool is_named_above(const CsvLayout& layout) const {
-    const auto first = std::ranges::find(lines_, layout.first_line, &Line::number);
+    const auto first = first_row(layout);
     if (first == lines_.end() || fields(*first, layout.separator).size() != layout.fields) {
       return false;
     }
@@ -184,7 +189,7 @@ class Search {
 
   /// Returns the number of words in the line above the numbers; 0 if it holds anything else.
   [[nodiscard]] std::size_t count_names_above(const CsvLayout& layout) const {
-    const auto first = std::ranges::find(lines_, layout.first_line, &Line::number);
+    const auto first = first_row(layout);
     if (first == lines_.begin() || first == lines_.end()) return 0;
     const auto names = fields(*(first - 1), layout.separator);
     return std::ranges::all_of(names, is_word_or_unit) ? names.size() : 0;
@@ -300,7 +305,7 @@ class Search {
 
   /// Finds the column of times by name or unit; otherwise the first column.
   [[nodiscard]] Times times_in(const CsvLayout& found) const {
-    const auto first = std::ranges::find(lines_, found.first_line, &Line::number);
+    const auto first = first_row(found);
     Times unnamed;
     if (first == lines_.end()) return unnamed;
     for (std::size_t column = 0; column < found.fields; ++column) {
@@ -499,7 +504,7 @@ class Search {
   }
 
   [[nodiscard]] bool has_numbers(const CsvLayout& found) const {
-    const auto line = std::ranges::find(lines_, found.first_line, &Line::number);
+    const auto line = first_row(found);
     return !found.numbers.empty() && line != lines_.end() &&
            holds_number(*line, found.separator, found.fields, found.column);
   }
