@@ -1,7 +1,8 @@
 #!/bin/bash
 # Draws one figure: turns NAME.csv into NAME.svg and NAME.pdf next to it, by pipeline/figures/SCRIPT.gp. SCRIPT is the
 # name of the figure, or the part of it before the last "@".
-# usage: pipeline/figures/draw.sh FOLDER/NAME.csv
+# With tables, NAME.csv is first made of their rows, behind a column `part`: what follows the "@" in a table's name.
+# usage: pipeline/figures/draw.sh FOLDER/NAME.csv [TABLE.csv...]
 set -euo pipefail
 export TZ=UTC LC_ALL=C.UTF-8 # the same bytes everywhere
 
@@ -12,6 +13,7 @@ for program in gnuplot qpdf; do
   }
 done
 csv=$1
+tables=("${@:2}")
 name=$(basename "$csv" .csv)
 scripts=$(dirname "$0")
 script=$scripts/${name%@*}.gp
@@ -20,6 +22,14 @@ part=$([[ $name != *@* ]] || echo "${name##*@}")
 find "$(dirname "$csv")" -maxdepth 1 -name '.drawing.*' -mmin +60 -exec rm -rf {} +
 partial=$(mktemp -d "$(dirname "$csv")/.drawing.XXXXXX")
 trap 'rm -rf "$partial"' EXIT
+
+if ((${#tables[@]} > 0)); then
+  awk 'FNR == 1 { part = FILENAME; sub(/.*@/, "", part); sub(/[.]csv$/, "", part)
+                  if (NR == 1) print "part," $0
+                  next }
+       { print part "," $0 }' "${tables[@]}" >"$partial/joined"
+  mv -T "$partial/joined" "$csv"
+fi
 
 # Collects the distinct words of each column of words, in order, for gnuplot's string variables. Ratios are sorted from
 # 100to1 to 1to1, then everything else: not every method has every ratio.

@@ -5,7 +5,6 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "diagnosis/catalogue.hpp"
-#include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/symptom_net.hpp"
 #include "plan/words.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -62,8 +61,8 @@ Lists lists_of_verdicts() {
   return lists;
 }
 
-/// Returns all groups, and their methods with all inputs that a group names and with the nearest
-/// neighbours, at the ratio with the most generated windows.
+/// Returns all groups, and their methods with all classifiers that a group shows, at the ratio with
+/// the most generated windows.
 Lists lists_of_transfer(const Experiment& experiment) {
   if (experiment.groups.empty()) {
     throw Error(Exit::usage,
@@ -73,16 +72,11 @@ Lists lists_of_transfer(const Experiment& experiment) {
   Lists defaults;
   std::set<std::string> methods;
   std::set<std::string> datasets;
-  std::set<std::string> classifiers{diagnosis::reference_classifier,
-                                    diagnosis::nearest_orders.name};
+  std::set<std::string> classifiers;
   for (const settings::Group& group : experiment.groups) {
     datasets.insert(group.datasets.begin(), group.datasets.end());
-    for (const std::string& input : group.inputs) methods.insert(input.substr(0, input.find('=')));
-    for (const auto* const inputs : {&group.inputs, &group.type_inputs}) {
-      for (const std::string& input : *inputs) {
-        classifiers.insert(input.substr(input.find('=') + 1));
-      }
-    }
+    for (const report::InputChoice& input : group.choices.inputs) methods.insert(input.method);
+    for (const std::string& name : group.choices.classifiers()) classifiers.insert(name);
   }
   for (const Dataset& dataset : experiment.datasets) {
     if (datasets.contains(dataset.name)) defaults.datasets.push_back(dataset.name);

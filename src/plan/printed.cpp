@@ -39,12 +39,20 @@ std::string shell_line(const Words& words) {
   return line;
 }
 
+/// Returns the command that draws a table, or several tables joined (TableSteps::add_picture()).
+std::string drawing(const Step& step) {
+  const Words& tables = step.inputs.front().files;
+  const std::string csv = std::filesystem::path(step.outputs.front()).replace_extension(".csv");
+  Words words{"pipeline/figures/draw.sh", csv};
+  if (tables != Words{csv}) append(words, tables);
+  return shell_line(words);
+}
+
 /// Returns the lines of a rule's recipe, without the leading tab.
 Words recipe_of(const Step& step, State state) {
   const std::string note = "$(BIN)/plan --note " + name_of(step);
   Words words = command_of(step);
-  if (step.stage == "draw")
-    return {"pipeline/figures/draw.sh " + step.inputs.front().files.front(), note};
+  if (step.stage == "draw") return {drawing(step), note};
   if (step.stage == "report") {
     words.erase(std::ranges::find(words, "--"), words.end());
     return {"$(BIN)/" + shell_line(words)};

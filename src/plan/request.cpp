@@ -167,6 +167,7 @@ void take_given(const Request& request, Choice& choice) {
   require_words("RATIOS", choice.ratios, names_of(scoring::all_ratios()));
   require_words("CLASSIFIERS", choice.classifiers, names_of_classifiers());
   choice.ratios_given = request.ratios.has_value();
+  choice.classifiers_given = request.classifiers.has_value();
   choice.lowest_seed = std::ranges::min(choice.seeds);
 }
 

@@ -40,6 +40,7 @@ struct Choice {
   std::vector<std::string> classifiers;
   std::vector<std::int64_t> seeds;
   bool ratios_given = false;
+  bool classifiers_given = false;
   std::int64_t lowest_seed = 0;  ///< features are kept for this seed
   /// True if a run is only viewed: then only the cells that `given` names are mandatory.
   bool only_looks = false;

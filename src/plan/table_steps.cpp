@@ -186,8 +186,7 @@ Words TableSteps::add_for_cells(const Part& part, StepOfCell step_of_cell) {
   return files;
 }
 
-/// Adds the picture that gnuplot draws of a table.
-void TableSteps::add_picture(const std::string& csv) {
+void TableSteps::add_picture(const std::string& csv, const Words& joined) {
   const std::string name = csv.substr(0, csv.size() - std::string(".csv").size());
   Words scripts;
   for (const std::string& script : disk_.files_below("pipeline/figures")) {
@@ -198,7 +197,8 @@ void TableSteps::add_picture(const std::string& csv) {
             .log = file_name(name) + ".svg",
             .inputs = {{.role = "scripts", .files = scripts, .is_option = false}},
             .outputs = {name + ".svg", name + ".pdf"}};
-  add(std::move(step), "numbers", {csv});
+  if (!joined.empty()) step.outputs.push_back(csv);
+  add(std::move(step), "numbers", joined.empty() ? Words{csv} : joined);
 }
 
 Words TableSteps::whole_selection() const {

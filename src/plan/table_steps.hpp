@@ -63,8 +63,8 @@ class TableSteps {
 
   /// Adds a step that makes no artefacts, with these files as inputs in one role.
   void add(Step step, const std::string& role, const std::vector<std::string>& files);
-  /// Adds the picture that gnuplot draws of a table.
-  void add_picture(const std::string& csv);
+  /// Adds the picture that gnuplot draws of a table, or of several tables, which `csv` then joins.
+  void add_picture(const std::string& csv, const std::vector<std::string>& joined = {});
   /// Returns the ratios of a table of moved settings: the given ones, else `otherwise`. Throws
   /// Error(usage) if none of them has generated windows.
   [[nodiscard]] std::vector<std::string> moved_ratios(const std::vector<std::string>& otherwise,

@@ -39,15 +39,14 @@ std::string generating_ratio(const Choice& choice) {
           nothing_generated()));
 }
 
-/// Throws Error(usage) if an input of a group needs a classifier that is not requested.
+/// Throws Error(usage) if a method of a group needs a classifier that is not requested.
 void require_classifiers(const Choice& choice, const settings::Group& group) {
   std::set<std::string> lacks;
-  for (const Words& inputs : {group.inputs, group.type_inputs}) {
-    for (const std::string& input : inputs) {
-      const std::size_t equals = input.find('=');
-      const bool is_needed = has(choice.methods, input.substr(0, equals)) &&
-                             !has(choice.classifiers, input.substr(equals + 1));
-      if (is_needed) lacks.insert(input.substr(equals + 1));
+  for (const auto* const inputs : {&group.choices.inputs, &group.choices.type_inputs}) {
+    for (const report::InputChoice& input : *inputs) {
+      const bool is_needed =
+          has(choice.methods, input.method) && !has(choice.classifiers, input.classifier);
+      if (is_needed) lacks.insert(input.classifier);
     }
   }
   if (lacks.empty()) return;
@@ -57,13 +56,16 @@ void require_classifiers(const Choice& choice, const settings::Group& group) {
                           fmt::join(lacks, " "), group.name));
 }
 
-/// Returns the cells of a group's data sets without generated windows, and with most of them.
+/// Returns the cells of a group's data sets without generated windows, and with most of them. If no
+/// classifiers are requested, these are the cells that the main tables show.
 Words cells_of(TableSteps& tables, const settings::Group& group, const std::string& ratio) {
+  const bool only_shown = !tables.choice().classifiers_given;
   Words files;
   for (const Part* part : parts_of(tables, group)) {
     for (const std::int64_t seed : tables.choice().seeds) {
       for (const run::Combination& cell : part->cells) {
         if (cell.ratio != nothing_generated() && cell.ratio != ratio) continue;
+        if (only_shown && !group.choices.shows(cell.method, cell.classifier)) continue;
         const StepId id = tables.grid().diagnosis(part->dataset, seed, variant_of(cell.method),
                                                   cell.ratio, cell.classifier);
         files.push_back(tables.grid().graph().at(id).outputs.front());
@@ -84,12 +86,14 @@ void add_transfer(TableSteps& tables, const settings::Group& group) {
             .options = {{"group", group.name},
                         {"methods", spaced(tables.choice().methods)},
                         {"ratio", ratio},
-                        {"classifiers", spaced(tables.choice().classifiers)},
                         {"seeds", spaced(texts_of(tables.choice().seeds))}},
             .words = {"--run", tables.grid().folder()},
             .outputs = in_folder(
                 tables.grid().folder(),
                 {name + ".csv", "transfer-comparisons@" + group.name + ".csv", name + ".md"})};
+  if (tables.choice().classifiers_given) {
+    step.options.emplace_back("classifiers", spaced(tables.choice().classifiers));
+  }
   tables.show(step.outputs.back());
   tables.add(std::move(step), "cells", cells_of(tables, group, ratio));
   tables.add_picture(tables.grid().folder() + '/' + name + ".csv");
@@ -98,7 +102,7 @@ void add_transfer(TableSteps& tables, const settings::Group& group) {
 }  // namespace
 
 void add_transfers(TableSteps& tables) {
-  bool any = false;
+  Words made;
   Words groups;
   for (const settings::Group& group : tables.experiment().groups) {
     Words there;
@@ -110,9 +114,10 @@ void add_transfers(TableSteps& tables) {
     settings::require_datasets(tables.experiment().protocol, group.name,
                                tables.experiment().pipeline);
     add_transfer(tables, group);
-    any = true;
+    made.push_back(fmt::format("{}/transfer@{}.csv", tables.grid().folder(), group.name));
   }
-  if (any) return;
+  if (made.size() > 1) tables.add_picture(tables.grid().folder() + "/rigs.csv", made);
+  if (!made.empty()) return;
   throw Error(Exit::usage,
               fmt::format("make transfer: DATASETS must include all data sets of one group: {}",
                           spaced(groups)));

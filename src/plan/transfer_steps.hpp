@@ -8,6 +8,7 @@ namespace piae::plan {
 /// size, and their cells: those at the ratio with the most generated windows.
 ///
 ///     RUN/transfer@GROUP.{csv,md,svg,pdf}, transfer-comparisons@GROUP.csv
+///     RUN/rigs.{csv,svg,pdf}, one picture of all groups, if there are several
 void add_transfers(TableSteps& tables);
 
 }  // namespace piae::plan

@@ -17,14 +17,6 @@ namespace piae::report {
 
 namespace {
 
-std::string trained_classifiers() {
-  std::string names;
-  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
-    if (each.trains()) names += (names.empty() ? "" : ", ") + std::string(each.name);
-  }
-  return names;
-}
-
 const AccuracyRow* find_by(const std::vector<AccuracyRow>& rows, const std::string& method,
                            const std::string& classifier) {
   const auto found = std::ranges::find_if(rows, [&](const AccuracyRow& row) {
@@ -66,15 +58,19 @@ bool is_among(const std::vector<InputChoice>& choices, const GroupRow& row) {
   });
 }
 
-/// Returns the best input of a method among those of trained classifiers; of equal ones the first.
+/// Returns the best row of a method; of equal ones the first.
 GroupRow* best_row(std::vector<GroupRow>& rows, const std::string& method, Question question) {
   const auto mean = [&](const GroupRow& row) { return answers(row.mean, question).summary.mean; };
   GroupRow* best = nullptr;
   for (GroupRow& row : rows) {
-    if (row.method != method || !diagnosis::the_classifier(row.classifier).trains()) continue;
+    if (row.method != method) continue;
     if (best == nullptr || mean(row) > mean(*best)) best = &row;
   }
   return best;
+}
+
+bool needs_nothing(const std::string& method, const std::string& classifier) {
+  return method == augment::no_method && !diagnosis::the_classifier(classifier).trains();
 }
 
 void mark(TransferGroup& group) {
@@ -97,7 +93,7 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
   for (const GroupRow* const other : group.others()) {
     auto pair = paired_row(group.own()->mean.row, other->mean.row);
     pair.value().method =
-        group.is_reference(*other) ? reference_label(other->mean.row) : other->method;
+        TransferGroup::is_reference(*other) ? reference_label(other->mean.row) : other->method;
     differences.push_back(std::move(*pair));
   }
   add_holm_p(differences);
@@ -109,14 +105,17 @@ std::vector<InputChoice> parse_inputs(const std::string& option,
                                       const TransferOptions& options) {
   if (words.empty()) return {};
   const auto methods = run::split_list("--methods", options.methods);
-  const auto classifiers = run::split_list("--classifiers", options.classifiers);
+  const auto classifiers = options.classifiers.empty()
+                               ? std::vector<std::string>{}
+                               : run::split_list("--classifiers", options.classifiers);
   std::vector<InputChoice> choices;
   for (const std::string& word : run::split_list(option, words)) {
     const InputChoice choice = parse_input_choice(word);
     if (std::ranges::count(choices, choice.method, &InputChoice::method) > 0) {
       throw Error(Exit::usage, option + ": names an input of " + choice.method + " twice");
     }
-    const bool is_requested = std::ranges::count(methods, choice.method) > 0;
+    const bool is_requested =
+        !options.classifiers.empty() && std::ranges::count(methods, choice.method) > 0;
     if (is_requested && std::ranges::count(classifiers, choice.classifier) == 0) {
       throw Error(Exit::usage, "--classifiers: must include " + choice.classifier + ", which " +
                                    option + " names for " + choice.method);
@@ -210,14 +209,35 @@ InputChoice parse_input_choice(const std::string& word) {
   InputChoice choice{word.substr(0, equals), word.substr(equals + 1)};
   if (augment::find_entry(choice.method) == nullptr) refuse("names an unknown method");
   const diagnosis::Classifier* const classifier = diagnosis::find_classifier(choice.classifier);
-  if (classifier == nullptr || !classifier->trains()) {
-    refuse("does not name a trained classifier; choose from: " + trained_classifiers());
+  if (classifier == nullptr) refuse("names an unknown classifier");
+  if (!run::go_together(choice.method, choice.classifier, false)) {
+    refuse("does not go together: rules run with none only");
   }
   return choice;
 }
 
 const std::vector<InputChoice>& GroupChoices::inputs_for(Question question) const {
   return question == Question::by_type && !type_inputs.empty() ? type_inputs : inputs;
+}
+
+bool GroupChoices::shows(const std::string& method, const std::string& classifier) const {
+  const auto is_the_choice = [&](const InputChoice& choice) {
+    return choice.method == method && choice.classifier == classifier;
+  };
+  return needs_nothing(method, classifier) || std::ranges::any_of(inputs, is_the_choice) ||
+         std::ranges::any_of(type_inputs, is_the_choice);
+}
+
+std::vector<std::string> GroupChoices::classifiers() const {
+  std::vector<std::string> names;
+  for (const diagnosis::Classifier& each : diagnosis::classifiers()) {
+    const auto has_it = [&](const std::vector<InputChoice>& choices) {
+      return std::ranges::count(choices, each.name, &InputChoice::classifier) > 0;
+    };
+    const bool refers = !each.trains() && !each.rule;
+    if (refers || has_it(inputs) || has_it(type_inputs)) names.emplace_back(each.name);
+  }
+  return names;
 }
 
 const AccuracyRow& answers(const GroupCell& cell, Question question) {
@@ -250,16 +270,16 @@ std::vector<const GroupRow*> TransferGroup::others() const {
   return others;
 }
 
-bool TransferGroup::is_reference(const GroupRow& row) const {
-  return row.method == augment::no_method && !diagnosis::the_classifier(row.classifier).trains();
-}
-
-std::vector<const GroupRow*> TransferGroup::references() const {
+std::vector<const GroupRow*> TransferGroup::references(Question question) const {
   std::vector<const GroupRow*> references;
   for (const GroupRow& row : rows) {
-    if (is_reference(row)) references.push_back(&row);
+    if (is_reference(row, question)) references.push_back(&row);
   }
   return references;
+}
+
+bool TransferGroup::is_reference(const GroupRow& row, Question question) {
+  return !row.marks(question).recorded && needs_nothing(row.method, row.classifier);
 }
 
 const GroupRow* TransferGroup::best_of(const std::string& method, Question question) const {
@@ -313,7 +333,7 @@ void bind(const cli::Options& command, TransferOptions& options) {
   command
       .add("--inputs", options.inputs,
            "Classifier of each method, such as: none=wdcnn-spectrum; a method without one appears "
-           "only in the table by input")
+           "only in the table by classifier")
       .required();
   command.add("--kind-inputs", options.type_inputs,
               "The same for the fault type, whatever its size; default: --inputs");
@@ -322,10 +342,9 @@ void bind(const cli::Options& command, TransferOptions& options) {
       .add("--ratio", options.ratio,
            "Ratio of the methods that generate windows, such as 1to1; none has 100to1")
       .required();
-  command
-      .add("--classifiers", options.classifiers,
-           "Classifiers, such as: wdcnn wdcnn-spectrum; none also needs its cell by nearest")
-      .required();
+  run::bind_classifiers(
+      command, options.classifiers,
+      "none also needs its cell by nearest; default: each method by its --inputs");
   command.add("--seeds", options.seeds, "Seeds, such as: 0 1 2").required();
 }
 
@@ -340,11 +359,16 @@ TransferGroup read_transfer(const std::filesystem::path& run, const TransferOpti
                              .ratios = ratios_with(options.ratio),
                              .seeds = options.seeds,
                              .classifiers = options.classifiers};
+  const bool only_shown = options.classifiers.empty();
+  if (only_shown) requested.classifiers = choices.classifiers();
   std::vector<run::Grid> grids;
   std::vector<run::Results> results;
   for (const std::string& dataset : run::split_list("--datasets", options.datasets)) {
     requested.dataset = dataset;
     grids.push_back(run::resolve(requested));
+    std::erase_if(grids.back().combinations, [&](const run::Combination& cell) {
+      return only_shown && !choices.shows(cell.method, cell.classifier);
+    });
     results.push_back(collect_diagnoses(run::Layout(run, dataset), grids.back()));
   }
   require_all_of(results);

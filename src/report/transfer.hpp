@@ -20,8 +20,7 @@ struct InputChoice {
 };
 
 /// Reads "none=wdcnn-spectrum". Throws Error(usage) for other formats, an unknown method or
-/// classifier, and a classifier that does not train: it has no input to choose and is shown next to
-/// all methods anyway.
+/// classifier, and for two that do not go together (run/grid.hpp).
 InputChoice parse_input_choice(const std::string& word);
 
 /// Data set name of the mean over the data sets of a group.
@@ -34,10 +33,10 @@ struct GroupCell {
   std::optional<AccuracyRow> type_accuracy;
 };
 
-/// Marks of an input in the row of its method.
+/// Marks of a classifier in the row of its method.
 struct Marks {
   bool recorded = false;  ///< chosen for the method before the run
-  bool best = false;      ///< the best of the trained classifiers in this run
+  bool best = false;      ///< the best classifier in this run
 };
 
 /// Question about a window: its class, or its fault type whatever the size.
@@ -49,8 +48,8 @@ struct GroupRow {
   std::string classifier;
   std::vector<GroupCell> datasets;  ///< in the order of the group
   GroupCell mean;                   ///< for each seed the mean over the data sets
-  Marks by_class = {};              ///< as an input for classes
-  Marks by_type = {};               ///< as an input for fault types
+  Marks by_class = {};              ///< for classes
+  Marks by_type = {};               ///< for fault types
 
   [[nodiscard]] const Marks& marks(Question question) const {
     return question == Question::by_class ? by_class : by_type;
@@ -69,6 +68,12 @@ struct GroupChoices {
   std::vector<InputChoice> type_inputs = {};
 
   [[nodiscard]] const std::vector<InputChoice>& inputs_for(Question question) const;
+  /// True for the rows of the main tables: a choice of either question, or a reference, which is
+  /// `none` by a classifier without training: what is possible without generated windows and
+  /// without a network.
+  [[nodiscard]] bool shows(const std::string& method, const std::string& classifier) const;
+  /// Returns the classifiers of these rows in the order of the catalogue, without rules.
+  [[nodiscard]] std::vector<std::string> classifiers() const;
 };
 
 /// Accuracy of each method when faults are known in other conditions than they are tested in.
@@ -90,11 +95,12 @@ struct TransferGroup {
   [[nodiscard]] const GroupRow* own() const;
   /// Returns the recorded rows of all other methods, and references().
   [[nodiscard]] std::vector<const GroupRow*> others() const;
-  /// Returns the rows of `none` by classifiers without training, such as the nearest neighbours:
-  /// what is possible without any generated window and without any network.
-  [[nodiscard]] std::vector<const GroupRow*> references() const;
-  [[nodiscard]] bool is_reference(const GroupRow& row) const;
-  /// Returns the best input of a method in this run; null if no trained classifier has a row.
+  /// Returns the references (GroupChoices::shows()) that are not recorded.
+  [[nodiscard]] std::vector<const GroupRow*> references(
+      Question question = Question::by_class) const;
+  [[nodiscard]] static bool is_reference(const GroupRow& row,
+                                         Question question = Question::by_class);
+  /// Returns the row by the best classifier of a method in this run; null without a row.
   [[nodiscard]] const GroupRow* best_of(const std::string& method,
                                         Question question = Question::by_class) const;
 };
@@ -125,8 +131,8 @@ struct TransferOptions {
   std::vector<std::string> inputs = {};       ///< "none=wdcnn-spectrum", see parse_input_choice()
   std::vector<std::string> type_inputs = {};  ///< the same for fault types; may be empty
   std::vector<std::string> methods = {};
-  std::string ratio = {};  ///< of the generated windows; `none` uses 100to1
-  std::vector<std::string> classifiers = {};
+  std::string ratio = {};                     ///< of the generated windows; `none` uses 100to1
+  std::vector<std::string> classifiers = {};  ///< default: each method by its inputs alone
   std::vector<std::string> seeds = {};
 };
 

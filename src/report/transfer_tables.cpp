@@ -26,13 +26,13 @@ constexpr const char* mark_of_best = "↑";
 /// Returns the rows of the main tables: methods by their recorded inputs, and the references.
 std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question question) {
   std::vector<const GroupRow*> rows = group.recorded(question);
-  std::ranges::copy(group.references(), std::back_inserter(rows));
+  std::ranges::copy(group.references(question), std::back_inserter(rows));
   return rows;
 }
 
 /// Returns "smote" and "wdcnn-spectra". References have the same names as in other tables.
-Cells shown_names(const TransferGroup& group, const GroupRow& row) {
-  if (group.is_reference(row)) return {reference_label(row.mean.row), no_number};
+Cells shown_names(const GroupRow& row, Question question) {
+  if (TransferGroup::is_reference(row, question)) return {reference_label(row.mean.row), no_number};
   return {method_label(row.method), row.classifier};
 }
 
@@ -46,8 +46,9 @@ std::string keyed(Question question, const std::string& key) {
 
 std::string about_mean(const TransferGroup& group, Question question) {
   if (question == Question::by_class) {
-    return "Shown: the input of WDCNN, chosen for each method on other seeds, so that no number "
-           "here is the best of several.";
+    return "Shown: the classifier, chosen for each method on other seeds, so that no number here "
+           "is "
+           "the best of several.";
   }
   return std::string(
              "A fault that is classified as another of the same type, such as one of another size, "
@@ -59,7 +60,7 @@ std::string about_mean(const TransferGroup& group, Question question) {
 Section mean_section(const TransferGroup& group, Question question) {
   text::Table table({"method", "shown", "accuracy", "95 % interval"}, 2);
   for (const GroupRow* const row : shown_rows(group, question)) {
-    Cells cells = shown_names(group, *row);
+    Cells cells = shown_names(*row, question);
     const scoring::Summary& summary = answers(row->mean, question).summary;
     cells.insert(cells.end(), {mean_label(summary), interval_label(summary)});
     table.row(cells);
@@ -70,7 +71,7 @@ Section mean_section(const TransferGroup& group, Question question) {
 
 Section difference_section(const TransferGroup& group) {
   return {"difference", "Mean of " + group.choices.against + " minus that of each other, points",
-          paired_note(group.differences, "Each uses the input shown above."),
+          paired_note(group.differences, "Each uses the classifier shown above."),
           paired_table(group.differences)};
 }
 
@@ -79,7 +80,7 @@ Section datasets_section(const TransferGroup& group, Question question) {
   header.insert(header.end(), group.datasets.begin(), group.datasets.end());
   text::Table table(header, 2);
   for (const GroupRow* const row : shown_rows(group, question)) {
-    Cells cells = shown_names(group, *row);
+    Cells cells = shown_names(*row, question);
     for (const GroupCell& cell : row->datasets) {
       cells.push_back(mean_label(answers(cell, question).summary));
     }
@@ -103,7 +104,7 @@ const GroupRow* group_row_of(const TransferGroup& group, const std::string& meth
   return found == group.rows.end() ? nullptr : &*found;
 }
 
-/// Returns how many points the recorded input of a method is below its best one in this run.
+/// Returns how many points the recorded classifier of a method is below its best one in this run.
 std::string lost_label(const TransferGroup& group, const std::string& method, Question question) {
   const std::vector<const GroupRow*> recorded = group.recorded(question);
   const auto own = std::ranges::find(recorded, method, &GroupRow::method);
@@ -132,7 +133,7 @@ Cells group_methods(const TransferGroup& group) {
   return names;
 }
 
-/// Returns the best inputs of this run in the format of pipeline/protocol.toml.
+/// Returns the best classifiers of this run in the format of pipeline/protocol.toml.
 std::string best_inputs(const TransferGroup& group, Question question) {
   Cells words;
   for (const GroupRow& row : group.rows) {
@@ -147,9 +148,10 @@ std::string about_inputs(const TransferGroup& group, Question question) {
   const std::string best = "The best here are: " + best_inputs(group, question);
   if (question == Question::by_type) return "As above. " + best;
   return fmt::format(
-      "{} marks the input that was chosen on other seeds, which all other tables show; {} marks "
-      "the best input of WDCNN in this run: record it if these seeds are for choosing; otherwise "
-      "it is not a result. Lost: points by which the first is below the second. {}",
+      "{} marks the classifier that was chosen on other seeds, which all other tables show; {} "
+      "marks "
+      "the best one in this run: record it if these seeds are for choosing; otherwise it is not a "
+      "result. Lost: points by which the first is below the second. {}",
       mark_of_recorded, mark_of_best, best);
 }
 
@@ -169,7 +171,7 @@ Section inputs_section(const TransferGroup& group, Question question) {
     table.row(cells);
   }
   return {keyed(question, "inputs"),
-          titled(question, "Each method by each input: mean over the data sets"),
+          titled(question, "Each method by each classifier: mean over the data sets"),
           about_inputs(group, question), table};
 }
 
@@ -193,8 +195,9 @@ std::string about_missing_choices(const TransferGroup& group) {
   for (const GroupRow* const row : group.recorded()) std::erase(without, row->method);
   if (without.empty()) return "";
   return fmt::format(
-      "[transfer.{}] of pipeline/protocol.toml does not record an input for {}: see the table by "
-      "input.",
+      "[transfer.{}] of pipeline/protocol.toml does not record a classifier for {}: see the table "
+      "by "
+      "classifier.",
       group.choices.group, fmt::join(without, ", "));
 }
 
@@ -211,7 +214,7 @@ void add_sections(const TransferGroup& group, Question question, Document& docum
 std::string role_of(const TransferGroup& group, const GroupRow& row) {
   if (row.method == group.choices.against) return "against";
   if (augment::is_ceiling(row.method)) return "ceiling";
-  return group.is_reference(row) ? "bar" : "method";
+  return TransferGroup::is_reference(row) ? "bar" : "method";
 }
 
 std::string yes_or_no(bool yes) { return yes ? "1" : "0"; }

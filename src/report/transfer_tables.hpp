@@ -13,8 +13,9 @@ namespace piae::report {
 /// `dataset` is "mean" for the mean over the group. `seed` is "mean" for the mean over the seeds;
 /// only these lines have a deviation and an interval. `speed_ratio` is the tested speed divided by
 /// the known one. `role` is "against" for the method that the others are subtracted from,
-/// "ceiling", "bar" for none by nearest, and otherwise "method". `recorded` is 1 for the input
-/// chosen before, `best` is 1 for the best of a trained classifier in this run. The columns kind*
+/// "ceiling", "bar" for a reference (GroupChoices::shows()) that is not recorded, and otherwise
+/// "method". `recorded` is 1 for the classifier chosen before, `best` is 1 for the best one in this
+/// run. The columns kind*
 /// are filled only for data sets with fault types.
 std::string transfer_csv(const TransferGroup& group);
 

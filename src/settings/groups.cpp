@@ -10,7 +10,6 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
-#include "report/transfer.hpp"
 #include "settings/lists.hpp"
 #include "signal/ranges.hpp"
 
@@ -116,12 +115,22 @@ std::vector<Group> groups(const toml::table& protocol) {
   std::vector<Group> groups;
   const toml::table* tables = protocol["transfer"].as_table();
   if (tables == nullptr) return groups;
+  const auto inputs_in = [](const toml::table& table, const std::string& list) {
+    std::vector<report::InputChoice> inputs;
+    for (const std::string& word : words_in(table, list)) {
+      inputs.push_back(report::parse_input_choice(word));
+    }
+    return inputs;
+  };
   for (const auto& [key, node] : *tables) {
     const toml::table& table = *node.as_table();
-    groups.push_back({.name = std::string(key.str()),
+    const std::string name(key.str());
+    groups.push_back({.name = name,
                       .datasets = words_in(table, "datasets"),
-                      .inputs = words_in(table, "inputs"),
-                      .type_inputs = words_in(table, "kind-inputs")});
+                      .choices = {.group = name,
+                                  .against = table["against"].value_or(std::string()),
+                                  .inputs = inputs_in(table, "inputs"),
+                                  .type_inputs = inputs_in(table, "kind-inputs")}});
   }
   return groups;
 }

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "report/transfer.hpp"
+
 namespace piae::settings {
 
 /// A group of data sets that `make transfer` averages over: a table of [transfer].
 struct Group {
   std::string name;                   ///< "speeds"
   std::vector<std::string> datasets;  ///< some may lack a description, see require_datasets()
-  std::vector<std::string> inputs;    ///< "none=wdcnn-spectrum" (report/transfer.hpp)
-  std::vector<std::string> type_inputs = {};  ///< the same for telling fault types; may be empty
+  report::GroupChoices choices;
 };
+/// Returns the groups of a protocol that was checked by require_groups().
 std::vector<Group> groups(const toml::table& protocol);
 
 /// Refuses, as read_protocol() does, anything in [transfer] that is not a valid group: a nested

@@ -261,8 +261,12 @@ TEST_F(StepsOfARun, CoverGroupsOfDataSetsInATransfer) {
   const auto table = plan.graph().maker_of("results/t/transfer@both.md");
   ASSERT_TRUE(table);
   EXPECT_THAT(spaced(command_of(plan.graph().at(*table))),
-              HasSubstr(" --group both --methods none smote --ratio 1to1 --classifiers wdcnn "
-                        "wdcnn-spectra --seeds 0 "));
+              HasSubstr(" --group both --methods none smote --ratio 1to1 --seeds 0 --classifiers "
+                        "wdcnn wdcnn-spectra "));
+  // Without a request: in each data set smote by its choice, and none by its own, by nearest and
+  // by nearest-orders.
+  run_.request.classifiers.reset();
+  EXPECT_THAT(counts("transfer"), Contains(testing::Pair("diagnose", 8)));
 }
 
 TEST_F(StepsOfARun, CoverBothSplitsInAContrast) {

@@ -46,6 +46,21 @@ TEST(Makefiles, RecheckStepsThatWaitForOthers) {
   EXPECT_THAT(text, Not(HasSubstr("seed0/piae-dt")));
 }
 
+/// One picture of all groups joins their tables.
+TEST(Makefiles, DrawEachTableAndTheJoinedGroups) {
+  SmallRun run;
+  const std::string group =
+      "]\ndatasets = [\"real\", \"made\"]\nagainst = \"smote\"\ninputs = [\"smote=wdcnn\"]\n";
+  run.set("[split]", "[transfer.a" + group + "[transfer.b" + group + "[split]");
+  run.request.methods = "smote";
+  run.request.datasets = "real made";
+  const std::string text = makefile_of(run.plan("transfer"), true);
+  EXPECT_THAT(text, HasSubstr("pipeline/figures/draw.sh results/t/transfer@a.csv\n"));
+  EXPECT_THAT(text,
+              HasSubstr("pipeline/figures/draw.sh results/t/rigs.csv results/t/transfer@a.csv "
+                        "results/t/transfer@b.csv\n"));
+}
+
 TEST(Makefiles, QuoteAFolderWithBlanks) {
   SmallRun run;
   run.request.data_dir = "my data";

@@ -111,6 +111,33 @@ TEST(TransferGroup, ComparesWithEachClassifierWithoutTraining) {
   EXPECT_THAT(markdown(transfer_document(group)), HasSubstr("| none by nearest-orders | –"));
 }
 
+/// A method's best classifier may be one without training. A reference that was chosen is shown
+/// once.
+TEST(TransferGroup, ShowsAChosenReferenceOnce) {
+  std::vector<DatasetRows> datasets = two_datasets();
+  GroupChoices nearest = choices;
+  nearest.inputs.front().classifier = "nearest";
+  const TransferGroup group = transfer_group(nearest, datasets);
+  EXPECT_EQ(group.recorded().front()->classifier, "nearest");
+  EXPECT_THAT(group.references(), testing::IsEmpty());
+  EXPECT_EQ(group.differences.front().method, "none");
+  EXPECT_NEAR(group.differences.front().paired.difference.mean, 1.8, 1e-9);
+  EXPECT_THAT(transfer_csv(group),
+              HasSubstr("mean,,none,method,nearest,1,0,100to1,1,82.0000,,,,,,,,1,0\n"));
+}
+
+TEST(TransferGroup, ShowsChoicesAndReferencesWithoutRules) {
+  EXPECT_TRUE(choices.shows("none", "wdcnn"));
+  EXPECT_FALSE(choices.shows("none", "wdcnn-spectra"));
+  EXPECT_TRUE(choices.shows("none", "nearest-orders"));
+  EXPECT_FALSE(choices.shows("shift", "nearest-orders"));
+  GroupChoices both = choices;
+  both.type_inputs = {{"shift", "nearest-orders"}, {"none", "wdcnn-orders"}};
+  EXPECT_TRUE(both.shows("shift", "nearest-orders"));
+  EXPECT_THAT(both.classifiers(),
+              ElementsAre("wdcnn", "wdcnn-spectra", "nearest", "wdcnn-orders", "nearest-orders"));
+}
+
 TEST(TransferGroup, MarksTheRecordedAndTheBestInput) {
   const TransferGroup group = transfer_group(choices, two_datasets());
   EXPECT_EQ(group.best_of("none")->classifier, "wdcnn-spectra");
@@ -133,8 +160,9 @@ TEST(TransferGroup, MarksTheRecordedAndTheBestInput) {
 TEST(TransferGroup, WritesMarkdown) {
   const std::string text = markdown(transfer_document(transfer_group(choices, two_datasets())));
   EXPECT_THAT(text, testing::StartsWith("# Faults known in another condition: g\n"));
-  EXPECT_THAT(text,
-              HasSubstr("[transfer.g] of pipeline/protocol.toml does not record an input for vae"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("[transfer.g] of pipeline/protocol.toml does not record a classifier for vae"));
   EXPECT_THAT(
       text, HasSubstr("| method           | shown         |      accuracy |    95 % interval |\n"
                       "|------------------|---------------|--------------:|-----------------:|\n"
@@ -149,7 +177,7 @@ TEST(TransferGroup, WritesMarkdown) {
               HasSubstr("| none             |   77.00 ✓ |       79.00 ↑ |   78.20 | 2.00 |\n"));
   EXPECT_THAT(text,
               HasSubstr("| vae              |    9.00 ↑ |             – |       – |    – |\n"));
-  EXPECT_THAT(text, HasSubstr("inputs =\n[\"none=wdcnn-spectra\", \"vae=wdcnn\", "));
+  EXPECT_THAT(text, HasSubstr("inputs = [\"none=wdcnn-spectra\",\n\"vae=wdcnn\", "));
   EXPECT_THAT(text, Not(HasSubstr("by fault type")));
 }
 
@@ -271,6 +299,20 @@ TEST_F(TransferOfARun, AveragesOverBothDatasets) {
   EXPECT_THAT(group.differences[1].differences, ElementsAre(35, 35));
 }
 
+/// smote by nearest does not exist, and is not needed.
+TEST_F(TransferOfARun, ReadsTheShownCellsIfNoClassifierIsRequested) {
+  options_.classifiers = {};
+  for (const std::string dataset : {"one", "two"}) {
+    for (const int seed : {0, 1}) {
+      add_to(dataset, by("nearest-orders", diagnosis("none", "100to1", 0, seed, 11)));
+    }
+  }
+  const TransferGroup group = read();
+  EXPECT_EQ(group.rows.size(), 4U);
+  EXPECT_EQ(group.references().size(), 2U);
+  EXPECT_THAT(group.own()->mean.row.values, ElementsAre(85, 85));
+}
+
 TEST_F(TransferOfARun, NeedsEveryCellOfEveryDataset) {
   const run::Layout two(run_, "two");
   std::filesystem::remove(two.diagnosis("smote", "1to1", 1));
@@ -298,7 +340,7 @@ TEST_F(TransferOfARun, RefusesInvalidOptions) {
   options_.type_inputs = {"none=wdcnn-spectra"};
   refused("--classifiers: must include wdcnn-spectra, which --kind-inputs names for none");
   options_.inputs = {"none=cnn"};
-  refused("'none=cnn' does not name a trained classifier");
+  refused("'none=cnn' names an unknown classifier");
   options_.classifiers = {"wdcnn cnn"};
   refused("unknown classifier 'cnn'; known: wdcnn, ");
 }

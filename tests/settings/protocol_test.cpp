@@ -120,11 +120,11 @@ TEST(Protocol, RefusesInvalidGroupsWithTheirLine) {
               HasSubstr("line 4: transfer.a.inputs: 'none' is not METHOD=CLASSIFIER"));
   EXPECT_THAT(refusal("none=wdcnn", "nine=wdcnn"),
               HasSubstr("line 4: transfer.a.inputs: 'nine=wdcnn' names an unknown method"));
-  EXPECT_THAT(
-      refusal("none=wdcnn", "none=cnn"),
-      HasSubstr("'none=cnn' does not name a trained classifier; choose from: wdcnn, wdcnn-"));
-  EXPECT_THAT(refusal("none=wdcnn", "none=nearest"),
-              HasSubstr("does not name a trained classifier"));
+  EXPECT_THAT(refusal("none=wdcnn", "none=cnn"),
+              HasSubstr("'none=cnn' names an unknown classifier"));
+  EXPECT_THAT(refusal("none=wdcnn", "shift=envelope-rule"),
+              HasSubstr("'shift=envelope-rule' does not go together: rules run with none only"));
+  EXPECT_EQ(refusal("none=wdcnn", "none=nearest"), "not refused");
   EXPECT_THAT(refusal("\"none=wdcnn\"", "\"none=wdcnn\",\n\"none=wdcnn-spectra\""),
               HasSubstr("line 5: transfer.a.inputs names an input of none twice"));
   EXPECT_THAT(

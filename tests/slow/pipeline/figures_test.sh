@@ -134,6 +134,18 @@ test_figures_of_a_few_numbers_are_drawn_without_warnings() {
   done
 }
 
+# A panel for each group whose speed changes.
+test_tables_of_several_groups_are_joined() {
+  lay_out
+  local samples=$project/tests/slow/pipeline/figures
+  sed 's/,0\.5000,/,0.8000,/' "$samples/transfer@speeds.csv" >$drawn/transfer@other.csv
+  expect_equal "$(pipeline/figures/draw.sh $drawn/rigs.csv "$samples"/transfer@{sizes,speeds}.csv $drawn/transfer@other.csv 2>&1)" ""
+  expect_equal "$(cut -d, -f1 $drawn/rigs.csv | uniq | paste -sd' ')" "part sizes speeds other"
+  local group
+  for group in speeds other; do expect_line "$(<$drawn/rigs.svg)" ">$group<"; done
+  expect_no_line "$(<$drawn/rigs.svg)" '>sizes<'
+}
+
 # A single seed does not have a spread.
 test_readings_of_one_seed_are_drawn_without_warnings() {
   lay_out
