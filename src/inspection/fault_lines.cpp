@@ -8,6 +8,7 @@
 
 #include "bearing/impact_frequency.hpp"
 #include "scoring/distributions.hpp"
+#include "spectra/lengths.hpp"
 
 namespace piae::inspection {
 
@@ -29,18 +30,6 @@ constexpr int fewest_harmonics = 2;
 constexpr double largest_share_elsewhere = 0.05;
 constexpr double largest_factor = 1.5;        // at a factor of 2 a line meets its own harmonics
 constexpr double step_between_places = 0.02;  // in the logarithm of the frequency
-
-/// Returns the largest length up to `most` with a fast Fourier transform: without prime factors
-/// above 5.
-std::size_t fast_length(std::size_t most) {
-  for (std::size_t length = most;; --length) {
-    std::size_t rest = length;
-    for (const std::size_t prime : {2U, 3U, 5U}) {
-      while (rest % prime == 0) rest /= prime;
-    }
-    if (rest == 1) return length;
-  }
-}
 
 using Pieces = std::vector<std::span<const double>>;
 
@@ -157,7 +146,7 @@ EnvelopeSpectrum envelope_spectrum(std::span<const double> signal, double rate_h
   const double samples = std::min(turns_in_a_segment * rate_hz / shaft_hz, longest_segment(pieces));
   EnvelopeSpectrum spectrum;
   if (samples < shortest_segment) return spectrum;
-  const std::size_t length = fast_length(static_cast<std::size_t>(samples));
+  const std::size_t length = spectra::fast_length(static_cast<std::size_t>(samples));
   const Windows segments = segments_of(std::move(pieces), length);
   spectrum = spectra::envelope_spectrum(segments, rate_hz);
   spectrum.averages = independent_averages(spectrum.averages);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace piae::spectra {
+
+/// Speed of a shaft, estimated from its vibration.
+struct ShaftSpeed {
+  double rpm = 0;
+  /// Distance of the best speed from the second best, which differs by more than 0.5 %, in standard
+  /// deviations over all speeds of the search.
+  double confidence = 0;
+
+  /// True if the shaft shows: the second best is at least 2 deviations worse.
+  [[nodiscard]] bool is_certain() const { return confidence >= 2; }
+};
+
+/// Estimates the speed of the shaft within `range` (0.1: 10 %) of a given one. Shafts and what
+/// turns with them make harmonics of the speed in the spectrum (unbalance, misalignment, looseness:
+/// ISO 13373-2) and modulate impacts, so in the envelope spectrum, too. Let L be a spectrum in dB
+/// above its running median over half the speed, clipped to 0 .. 15 dB, so that no single line
+/// decides. For each speed f of the search
+///
+///     a(f) = mean of L of the signal at f, 2 f, ..., 20 f
+///     b(f) = mean of L of the squared envelope of the whitened signal (floors.hpp) at f ... 8 f.
+///
+/// The estimate maximises the sum of both, each over its standard deviation in the search.
+/// Harmonics above half the sample rate do not count. Uses 2^19 samples at most, from the start.
+/// Empty for fewer than 20 turns, for a constant signal, and if the sample rate holds fewer than
+/// three harmonics.
+std::optional<ShaftSpeed> estimate_shaft_speed(std::span<const double> signal, double rate_hz,
+                                               double given_rpm, double range);
+
+}  // namespace piae::spectra
