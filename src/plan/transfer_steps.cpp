@@ -1,10 +1,8 @@
 #include "plan/transfer_steps.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "base/error.hpp"
 #include "plan/words.hpp"
@@ -39,23 +37,6 @@ std::string generating_ratio(const Choice& choice) {
           nothing_generated()));
 }
 
-/// Throws Error(usage) if a method of a group needs a classifier that is not requested.
-void require_classifiers(const Choice& choice, const settings::Group& group) {
-  std::set<std::string> lacks;
-  for (const auto* const inputs : {&group.choices.inputs, &group.choices.type_inputs}) {
-    for (const report::InputChoice& input : *inputs) {
-      const bool is_needed =
-          has(choice.methods, input.method) && !has(choice.classifiers, input.classifier);
-      if (is_needed) lacks.insert(input.classifier);
-    }
-  }
-  if (lacks.empty()) return;
-  throw Error(Exit::usage,
-              fmt::format("make transfer: CLASSIFIERS must include {}, which [transfer.{}] of "
-                          "pipeline/protocol.toml names for these METHODS",
-                          fmt::join(lacks, " "), group.name));
-}
-
 /// Returns the cells of a group's data sets without generated windows, and with most of them. If no
 /// classifiers are requested, these are the cells that the main tables show.
 Words cells_of(TableSteps& tables, const settings::Group& group, const std::string& ratio) {
@@ -77,7 +58,6 @@ Words cells_of(TableSteps& tables, const settings::Group& group, const std::stri
 
 void add_transfer(TableSteps& tables, const settings::Group& group) {
   const std::string ratio = generating_ratio(tables.choice());
-  require_classifiers(tables.choice(), group);
   const std::string name = "transfer@" + group.name;
   Step step{.stage = "transfer",
             .folder = tables.grid().folder(),

@@ -101,24 +101,13 @@ std::vector<PairedRow> differences_of(const TransferGroup& group) {
 }
 
 std::vector<InputChoice> parse_inputs(const std::string& option,
-                                      const std::vector<std::string>& words,
-                                      const TransferOptions& options) {
+                                      const std::vector<std::string>& words) {
   if (words.empty()) return {};
-  const auto methods = run::split_list("--methods", options.methods);
-  const auto classifiers = options.classifiers.empty()
-                               ? std::vector<std::string>{}
-                               : run::split_list("--classifiers", options.classifiers);
   std::vector<InputChoice> choices;
   for (const std::string& word : run::split_list(option, words)) {
     const InputChoice choice = parse_input_choice(word);
     if (std::ranges::count(choices, choice.method, &InputChoice::method) > 0) {
       throw Error(Exit::usage, option + ": names an input of " + choice.method + " twice");
-    }
-    const bool is_requested =
-        !options.classifiers.empty() && std::ranges::count(methods, choice.method) > 0;
-    if (is_requested && std::ranges::count(classifiers, choice.classifier) == 0) {
-      throw Error(Exit::usage, "--classifiers: must include " + choice.classifier + ", which " +
-                                   option + " names for " + choice.method);
     }
     choices.push_back(choice);
   }
@@ -349,11 +338,10 @@ void bind(const cli::Options& command, TransferOptions& options) {
 }
 
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options) {
-  const GroupChoices choices{
-      .group = options.group,
-      .against = options.against,
-      .inputs = parse_inputs("--inputs", options.inputs, options),
-      .type_inputs = parse_inputs("--kind-inputs", options.type_inputs, options)};
+  const GroupChoices choices{.group = options.group,
+                             .against = options.against,
+                             .inputs = parse_inputs("--inputs", options.inputs),
+                             .type_inputs = parse_inputs("--kind-inputs", options.type_inputs)};
   require_same_methods(choices);
   run::GridOptions requested{.methods = run::split_list("--methods", options.methods),
                              .ratios = ratios_with(options.ratio),

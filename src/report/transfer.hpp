@@ -141,8 +141,8 @@ struct TransferOptions {
 void bind(const cli::Options& command, TransferOptions& options);
 
 /// Reads the cells from the folder of a run, such as results/paper. Throws Error(usage) as
-/// run::resolve() and parse_input_choice() do, for a method with two inputs, for a ratio that
-/// generates nothing, and if a recorded input is not among the classifiers. Throws Error as
+/// run::resolve() and parse_input_choice() do, for a method with two inputs, and for a ratio that
+/// generates nothing. Throws Error as
 /// run::require_all() for missing or refused cells, and Error(bad_input) if the data sets were
 /// split by different protocols.
 TransferGroup read_transfer(const std::filesystem::path& run, const TransferOptions& options);

@@ -306,7 +306,8 @@ Document transfer_document(const TransferGroup& group) {
   if (!missing.empty()) document.paragraphs.push_back(missing);
   if (group.own() == nullptr) {
     document.paragraphs.push_back(group.choices.against +
-                                  " is not among these methods, so nothing is subtracted from it.");
+                                  " by its own classifier is not among these cells, so nothing is "
+                                  "subtracted from it.");
   }
   add_sections(group, Question::by_class, document);
   if (group.has_fault_types()) add_sections(group, Question::by_type, document);

@@ -247,10 +247,6 @@ TEST_F(StepsOfARun, CoverGroupsOfDataSetsInATransfer) {
   EXPECT_EQ(refusal("transfer"),
             "make transfer: DATASETS must include all data sets of one group: both (real made)");
   run_.request.datasets = "real made";
-  run_.request.classifiers = "wdcnn";
-  EXPECT_EQ(refusal("transfer"),
-            "make transfer: CLASSIFIERS must include wdcnn-spectra, which [transfer.both] of "
-            "pipeline/protocol.toml names for these METHODS");
   run_.request.classifiers = "wdcnn wdcnn-spectra";
   EXPECT_THAT(logs("transfer"), Contains("t/transfer@both"));
   // Two data sets, each with `none` by two classifiers and nearest, and `smote` by two at one
