@@ -15,6 +15,7 @@
 #include "inspection/value_counts.hpp"
 #include "signal/description.hpp"
 #include "signal/ingest.hpp"
+#include "spectra/shaft_speed.hpp"
 
 namespace piae::inspection {
 
@@ -24,6 +25,9 @@ inline constexpr double longest_record_s = 3600;
 
 /// Fewest turns of the shaft in one piece that show an impact rate.
 inline constexpr double fewest_turns = 10;
+
+/// Range about the given speed in which the speed of the shaft is searched.
+inline constexpr double speed_search = 0.1;
 
 /// Length of the signal in the picture, in s.
 inline constexpr double shown_s = 0.2;
@@ -54,6 +58,8 @@ struct RecordCheck {
   /// Level in the data set's unit, at its rate. Empty for a constant signal and for a record beyond
   /// longest_record_s, which has no measured lines either.
   std::optional<Level> level;
+  /// Speed of the shaft in the longest piece; empty like `level`, and if too short.
+  std::optional<spectra::ShaftSpeed> shaft;
   FaultLines lines;
   std::vector<double> beginning;  ///< the first shown_s, at the data set's sample rate
   EnvelopeSpectrum envelope;      ///< the part that the picture shows

@@ -23,6 +23,7 @@ constexpr std::size_t widest_file = 48;
 constexpr std::size_t narrowest_file = 8;
 
 const char* const lines_note =
+    "measured: speed of the shaft in the signal, within 10 % of the given one; -: it hardly shows\n"
     "dB: mean height of the line and its 2nd and 3rd harmonics above the floor of the envelope "
     "spectrum\n"
     "*: the line of the record's class; noise alone exceeds 'noise dB' in 1 of 1000 records\n\n";
@@ -96,12 +97,15 @@ std::string recordings_text(const signal::Description& description, const Datase
 
 std::string lines_table(const DatasetInfo& info, const DatasetCheck& check) {
   text::Table table(
-      {"record", "rpm", "BPFO Hz", "dB", "BPFI Hz", "dB", "2BSF Hz", "dB", "noise dB"}, 1);
+      {"record", "rpm", "measured", "BPFO Hz", "dB", "BPFI Hz", "dB", "2BSF Hz", "dB", "noise dB"},
+      1);
   for (const RecordCheck& record : check.records) {
     if (!record.problem.empty()) continue;
     const signal::Defect own = info.class_of(record.source.label).defect;
     Row row{shortened(record.source.name, widest_name),
-            fmt::format("{:.6g}", record.source.shaft_speed_rpm)};
+            fmt::format("{:.6g}", record.source.shaft_speed_rpm),
+            record.shaft && record.shaft->is_certain() ? fmt::format("{:.0f}", record.shaft->rpm)
+                                                       : "-"};
     for (const FaultLine& line : record.lines) {
       row.push_back(fmt::format("{:.2f}", line.hz));
       const std::string mark = line.fault_type == own ? "*" : "";

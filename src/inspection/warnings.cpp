@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/one_line.hpp"
@@ -42,6 +43,27 @@ void add_speeds(const Description& description, Lines& lines) {
     lines.push_back(fmt::format("{}: shaft_speed_rpm = {:g}{}", place_of(source),
                                 source.shaft_speed_rpm, hz_hint(source.shaft_speed_rpm)));
   }
+}
+
+/// Warns of records whose shaft shows another speed than the given one, by more than 1 %.
+void add_other_speeds(const std::vector<RecordCheck>& records, Lines& lines) {
+  constexpr double equal_within = 0.01;
+  const auto excess = [](const RecordCheck& record) {
+    return record.shaft->rpm / record.source.shaft_speed_rpm - 1;
+  };
+  std::vector<const RecordCheck*> others;
+  for (const RecordCheck& record : records) {
+    const bool is_certain = record.shaft && record.shaft->is_certain();
+    if (is_certain && std::abs(excess(record)) > equal_within) others.push_back(&record);
+  }
+  const auto text = [&](const RecordCheck& record) {
+    return fmt::format(
+        "{}: the shaft seems to turn at {:.0f} rpm, {:.1f} % {} shaft_speed_rpm = {:g}; fault "
+        "lines are then off by as much",
+        place_of(record.source), record.shaft->rpm, 100 * std::abs(excess(record)),
+        excess(record) > 0 ? "above" : "below", record.source.shaft_speed_rpm);
+  };
+  add_for_each(others, text, lines);
 }
 
 void add_raceways(const bearing::Geometry& g, Lines& lines) {
@@ -203,6 +225,7 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
       std::ranges::move(sample_warnings(record), std::back_inserter(lines));
   }
   add_levels(description.info, check.records, lines);
+  add_other_speeds(check.records, lines);
   for (const ClassCheck& found : check.classes) add_stride(description, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));
   return lines;

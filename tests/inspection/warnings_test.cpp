@@ -271,6 +271,20 @@ TEST(Warnings, NameAnImplausibleLevel) {
 }
 
 /// 1200 of 120000 samples at 12 kHz.
+TEST(Warnings, NameTheSpeedThatTheShaftShows) {
+  Found found;
+  found.check.records[0].shaft = spectra::ShaftSpeed{1797 * 1.009, 9};
+  found.check.records[1].shaft = spectra::ShaftSpeed{1797 * 1.055, 2};
+  found.check.records[2].shaft = spectra::ShaftSpeed{1797 * 1.055, 1.9};
+  found.check.records[3].shaft = spectra::ShaftSpeed{1797 * 0.97, 2};
+  EXPECT_THAT(
+      warnings_of(found.description, found.check),
+      ElementsAre(HasSubstr("outer (outer.csv, variable 2): the shaft seems to turn at 1896 rpm, "
+                            "5.5 % above shaft_speed_rpm = 1797; fault lines"),
+                  HasSubstr("ball (ball.csv, variable 2): the shaft seems to turn at 1743 rpm, "
+                            "3.0 % below shaft_speed_rpm = 1797; fault lines")));
+}
+
 TEST(Warnings, NameStretchesOfOneValue) {
   Found found;
   found.check.records[0].held = {3, 2400, 1200, 5000, 0};
