@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
       classification::write(writer, verdicts, kept, reader.digest());
       stage.save(writer, output);
     }
-    std::cout << classification::table_of(verdicts, info) << classification::origin_of(kept, trust);
+    std::cout << classification::table_of(verdicts, info) << classification::speeds_of(verdicts)
+              << classification::origin_of(kept, trust);
   });
 }

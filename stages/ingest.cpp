@@ -12,6 +12,7 @@
 #include "inspection/picture.hpp"
 #include "inspection/report.hpp"
 #include "signal/described_split.hpp"
+#include "signal/estimated_speeds.hpp"
 #include "text/file.hpp"
 
 namespace fs = std::filesystem;
@@ -33,6 +34,19 @@ void check_files(const signal::Description& description, const fs::path& data_di
     throw Error(check.exit, "data set " + description.info.name +
                                 " has problems, see above; correct its description or its files");
   }
+}
+
+/// Takes the speeds from the signals, if the description asks for it. Returns a line about them.
+std::string speeds_of_signals(signal::Description& description, const fs::path& data_dir) {
+  if (description.speed_search_percent == 0) return "";
+  cli::Progress progress("speeds", "records", description.records.size());
+  std::size_t done = 0;
+  const auto [found, lowest, highest] =
+      signal::use_speeds_of_signals(description, data_dir, [&] { progress.update(++done); });
+  return fmt::format(
+      "speeds: {} of {} from the signals, {:+.1f} to {:+.1f} % of the given ones, the others as "
+      "given\n",
+      found, description.records.size(), 100 * (lowest - 1), 100 * (highest - 1));
 }
 
 }  // namespace
@@ -66,7 +80,7 @@ int main(int argc, char** argv) {
       std::cout << signal::list_of_sources(file, data_dir);
       return;
     }
-    const signal::Description description = signal::read_description(file);
+    signal::Description description = signal::read_description(file);
     stage.note_read(file);
     for (const std::string& name : recordings_of(description, data_dir)) {
       stage.note_read(data_dir / name);
@@ -80,6 +94,7 @@ int main(int argc, char** argv) {
     if (output.empty()) throw Error(Exit::usage, "--output is required (see ingest --help)");
     stage.note_input("description", file);
     cli::release_freed_memory();
+    const std::string speeds = speeds_of_signals(description, data_dir);
     artefact::Writer writer("records");
     signal::RecordingsWriter recordings(writer, description.info);
     cli::Progress progress("ingest", "records", description.records.size());
@@ -93,7 +108,7 @@ int main(int argc, char** argv) {
     });
     recordings.finish();
     stage.save(writer, output);
-    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n", records,
-                             recordings.samples(), description.info.sample_rate_hz);
+    std::cout << fmt::format("ingest: {} records, {} samples at {:g} Hz\n{}", records,
+                             recordings.samples(), description.info.sample_rate_hz, speeds);
   });
 }

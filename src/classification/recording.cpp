@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
@@ -40,40 +41,52 @@ void require_records(const auto& records, const std::vector<std::string>& names,
   }
 }
 
+/// Finds the speed of a recording, requires that it fits, and resamples it.
+Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std::string& what) {
+  recording.shaft =
+      spectra::estimate_shaft_speed(recording.signal, rate_hz, recording.given_speed_rpm);
+  const bool shows = recording.shaft && recording.shaft->is_within(fit.speed_search_percent,
+                                                                   recording.given_speed_rpm);
+  recording.shaft_speed_rpm = shows ? recording.shaft->rpm : recording.given_speed_rpm;
+  diagnosis::require_fitting_signal(fit.trained, rate_hz, recording.shaft_speed_rpm, what);
+  recording.signal = signal::resample(recording.signal, rate_hz, fit.trained.sample_rate_hz);
+  return recording;
+}
+
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::count(names, name) > 0;
 }
 
 }  // namespace
 
-Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& trained) {
+Recording read_lone_file(const LoneFile& lone, const Fit& fit) {
   const std::string what = lone.file.string();
-  diagnosis::require_fitting_signal(trained, lone.sample_rate_hz, lone.shaft_speed_rpm, what);
-  const std::vector<double> samples = raw::read(lone.file, lone.variable, lone.sample_rate_hz);
+  std::vector<double> samples = raw::read(lone.file, lone.variable, lone.sample_rate_hz);
   require_finite_samples(samples, what);
-  return {.name = one_line(lone.file.filename().string()),
-          .shaft_speed_rpm = lone.shaft_speed_rpm,
-          .true_class = "",
-          .signal = signal::resample(samples, lone.sample_rate_hz, trained.sample_rate_hz)};
+  return fitting({.name = one_line(lone.file.filename().string()),
+                  .given_speed_rpm = lone.shaft_speed_rpm,
+                  .true_class = "",
+                  .signal = std::move(samples)},
+                 lone.sample_rate_hz, fit, what);
 }
 
 Recording recording_of(const signal::Record& record, const signal::DatasetInfo& described,
-                       const signal::DatasetInfo& trained) {
-  diagnosis::require_fitting_signal(trained, described.sample_rate_hz, record.shaft_speed_rpm,
-                                    "record " + record.name);
-  return {
-      .name = record.name,
-      .shaft_speed_rpm = record.shaft_speed_rpm,
-      .true_class = described.class_of(record.label).name,
-      .signal = signal::resample(record.signal, described.sample_rate_hz, trained.sample_rate_hz)};
+                       const Fit& fit) {
+  return fitting({.name = record.name,
+                  .given_speed_rpm = record.shaft_speed_rpm,
+                  .true_class = described.class_of(record.label).name,
+                  .signal = record.signal},
+                 described.sample_rate_hz, fit, "record " + record.name);
 }
 
 std::vector<Recording> read_described(const std::filesystem::path& file,
                                       const std::filesystem::path& data_dir,
-                                      const std::vector<std::string>& names,
-                                      const signal::DatasetInfo& trained,
+                                      const std::vector<std::string>& names, const Fit& fit,
                                       const std::function<void(const signal::SourceFile&)>& note) {
   const signal::Description description = signal::read_description(file);
+  const double own_search = description.speed_search_percent;
+  const Fit own{.trained = fit.trained,
+                .speed_search_percent = own_search > 0 ? own_search : fit.speed_search_percent};
   require_records(description.records, names, file.string());
   signal::RecordReader reader(description, data_dir);
   std::vector<Recording> recordings;
@@ -81,20 +94,19 @@ std::vector<Recording> read_described(const std::filesystem::path& file,
     if (!is_chosen(names, source.name)) continue;
     const signal::Record record = reader.read(source);
     std::ranges::for_each(record.files, note);
-    recordings.push_back(recording_of(record, description.info, trained));
+    recordings.push_back(recording_of(record, description.info, own));
   }
   return recordings;
 }
 
 std::vector<Recording> read_recorded(const artefact::Reader& records,
-                                     const std::vector<std::string>& names,
-                                     const signal::DatasetInfo& trained) {
+                                     const std::vector<std::string>& names, const Fit& fit) {
   const signal::Recordings all = signal::read_recordings(records);
   require_records(all.records, names, records.path().string());
   std::vector<Recording> recordings;
   for (const signal::Record& record : all.records) {
     if (is_chosen(names, record.name)) {
-      recordings.push_back(recording_of(record, all.info, trained));
+      recordings.push_back(recording_of(record, all.info, fit));
     }
   }
   return recordings;

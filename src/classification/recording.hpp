@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "diagnosis/kept_classifier.hpp"
 #include "signal/recordings.hpp"
 #include "signal/window_set.hpp"
+#include "spectra/shaft_speed.hpp"
 
 namespace piae::classification {
 
@@ -24,33 +26,42 @@ struct LoneFile {
 /// A recording at the classifier's sample rate.
 struct Recording {
   std::string name;  ///< without terminal control characters
-  double shaft_speed_rpm = 0;
-  std::string true_class;  ///< class according to its description; empty without one
+  double given_speed_rpm = 0;
+  /// Speed that the signal shows, within 10 % of the given one; empty if too short.
+  std::optional<spectra::ShaftSpeed> shaft = std::nullopt;
+  double shaft_speed_rpm = 0;  ///< the shown speed if it was searched and is certain, or the given
+  std::string true_class;      ///< class according to its description; empty without one
   std::vector<double> signal;
+};
+
+/// What recordings must fit.
+struct Fit {
+  const signal::DatasetInfo& trained;  ///< of the classifier
+  /// Range about the given speed in which it is taken from the signal; 0: the given speed counts.
+  double speed_search_percent = 0;
 };
 
 /// Reads a recording. Throws Error as raw::read() does; Error(bad_input) for a sample that is not
 /// finite, and as diagnosis::require_fitting_signal() does.
-Recording read_lone_file(const LoneFile& lone, const signal::DatasetInfo& trained);
+Recording read_lone_file(const LoneFile& lone, const Fit& fit);
 
 /// Converts a record of a data set. Throws Error as diagnosis::require_fitting_signal() does.
 Recording recording_of(const signal::Record& record, const signal::DatasetInfo& described,
-                       const signal::DatasetInfo& trained);
+                       const Fit& fit);
 
-/// Reads the named records of a description, or all if `names` is empty. Passes the files of each
+/// Reads the named records of a description, or all if `names` is empty. Its own
+/// speed_search_percent counts if it has one. Passes the files of each
 /// to `note`, for the provenance. Throws Error(usage) for an unknown name, and as
 /// signal::RecordReader and recording_of() do.
 std::vector<Recording> read_described(const std::filesystem::path& description,
                                       const std::filesystem::path& data_dir,
-                                      const std::vector<std::string>& names,
-                                      const signal::DatasetInfo& trained,
+                                      const std::vector<std::string>& names, const Fit& fit,
                                       const std::function<void(const signal::SourceFile&)>& note);
 
 /// Returns the named records of records.h5, or all if `names` is empty. Throws Error(usage) for an
 /// unknown name, and as signal::read_recordings() and recording_of() do.
 std::vector<Recording> read_recorded(const artefact::Reader& records,
-                                     const std::vector<std::string>& names,
-                                     const signal::DatasetInfo& trained);
+                                     const std::vector<std::string>& names, const Fit& fit);
 
 /// Returns the windows of a recording, which start every `step` samples. Throws Error(bad_input)
 /// for a recording shorter than a window, and for a constant stretch, which is a dead channel.

@@ -32,6 +32,11 @@ void bind(cli::Stage& stage, Sources& sources) {
       .required(false);
   stage.options().add("--record", sources.records,
                       "records of --description or --records to classify (default: all)");
+  stage.options()
+      .add("--speed-search-percent", sources.speed_search_percent,
+           "take the shaft speed from the signal, within this range about the given speed; where "
+           "the shaft hardly shows, and with 0, the given speed counts")
+      .check(cli::within(signal::ranges::speed_search_percent));
 }
 
 void require_one(const Sources& sources) {
@@ -47,16 +52,17 @@ void require_one(const Sources& sources) {
 
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
                             const signal::DatasetInfo& trained) {
+  const Fit fit{.trained = trained, .speed_search_percent = sources.speed_search_percent};
   if (!sources.lone.file.empty()) {
     stage.note_input("recording", sources.lone.file);
-    return {read_lone_file(sources.lone, trained)};
+    return {read_lone_file(sources.lone, fit)};
   }
   if (!sources.records_file.empty()) {
     return read_recorded(stage.open("records", sources.records_file, "records"), sources.records,
-                         trained);
+                         fit);
   }
   stage.note_input("description", sources.description);
-  return read_described(sources.description, sources.data_dir, sources.records, trained,
+  return read_described(sources.description, sources.data_dir, sources.records, fit,
                         [&](const signal::SourceFile& recording) {
                           stage.note_read(sources.data_dir / recording.name);
                           stage.note_input("recording", recording.name, recording.sha256);

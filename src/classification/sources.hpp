@@ -17,6 +17,7 @@ struct Sources {
   std::filesystem::path data_dir = "data";
   std::filesystem::path records_file;
   std::vector<std::string> records;  ///< their names; all if empty
+  double speed_search_percent = 0;   ///< see Fit
 };
 
 void bind(cli::Stage& stage, Sources& sources);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bearing/defect.hpp"
+#include "inspection/shown_speed.hpp"
 #include "text/csv.hpp"
 #include "text/table.hpp"
 
@@ -100,6 +101,20 @@ std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& in
     table = table_with_names(verdicts, info, --longest);
   }
   return table;
+}
+
+std::string speeds_of(const std::vector<Verdict>& verdicts) {
+  std::string lines;
+  for (const Verdict& verdict : verdicts) {
+    const Recording& recording = verdict.recording;
+    const std::string other = inspection::other_speed(recording.shaft, recording.given_speed_rpm);
+    if (other.empty()) continue;
+    const bool is_used = recording.shaft_speed_rpm != recording.given_speed_rpm;
+    lines += fmt::format(
+        "{}: {} {:g} rpm; {}\n", recording.name, other, recording.given_speed_rpm,
+        is_used ? "this speed was used" : "--speed-search-percent takes the speed from the signal");
+  }
+  return lines;
 }
 
 std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {

@@ -19,6 +19,10 @@ std::string evidence_of(const Verdict& verdict, const signal::DatasetInfo& info)
 /// classes, they get a column. Names that are too long lose their beginning.
 std::string table_of(const std::vector<Verdict>& verdicts, const signal::DatasetInfo& info);
 
+/// Returns a line for each recording whose shaft certainly turns at another speed than the given
+/// one, with what to do; empty if there are none.
+std::string speeds_of(const std::vector<Verdict>& verdicts);
+
 /// Returns four lines: the classifier, its training set, and its trust.
 std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust);
 

@@ -7,6 +7,7 @@
 #include "inspection/plausibility.hpp"
 #include "inspection/spectrum_panel.hpp"
 #include "signal/described_split.hpp"
+#include "signal/estimated_speeds.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -20,26 +21,14 @@ void note_exit(DatasetCheck& check, Exit exit) {
   if (check.exit != Exit::bad_input) check.exit = exit;
 }
 
-/// Returns the longest piece of a signal.
-std::span<const double> longest_piece(std::span<const double> signal,
-                                      const std::vector<std::size_t>& lengths) {
-  std::span<const double> longest;
-  std::size_t first = 0;
-  for (const std::size_t length : lengths) {
-    if (length > longest.size()) longest = signal.subspan(first, length);
-    first += length;
-  }
-  return longest;
-}
-
 void look_at_signal(RecordCheck& found, const signal::Record& record,
                     const signal::DatasetInfo& info) {
   const std::vector<double>& signal = record.signal;
   const double rate_hz = info.sample_rate_hz;
   found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
-  found.shaft = spectra::estimate_shaft_speed(longest_piece(signal, found.pieces), rate_hz,
-                                              found.source.shaft_speed_rpm, speed_search);
+  found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
+                                              rate_hz, found.source.shaft_speed_rpm);
   found.envelope =
       envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);

@@ -26,9 +26,6 @@ inline constexpr double longest_record_s = 3600;
 /// Fewest turns of the shaft in one piece that show an impact rate.
 inline constexpr double fewest_turns = 10;
 
-/// Range about the given speed in which the speed of the shaft is searched.
-inline constexpr double speed_search = 0.1;
-
 /// Length of the signal in the picture, in s.
 inline constexpr double shown_s = 0.2;
 

@@ -3,12 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "base/one_line.hpp"
 #include "inspection/file_warnings.hpp"
 #include "inspection/plausibility.hpp"
+#include "inspection/shown_speed.hpp"
 #include "inspection/warning_text.hpp"
 #include "signal/described_split.hpp"
 #include "spectra/floors.hpp"
@@ -45,23 +45,21 @@ void add_speeds(const Description& description, Lines& lines) {
   }
 }
 
-/// Warns of records whose shaft shows another speed than the given one, by more than 1 %.
+/// Warns of records whose shaft shows another speed than the given one.
 void add_other_speeds(const std::vector<RecordCheck>& records, Lines& lines) {
-  constexpr double equal_within = 0.01;
-  const auto excess = [](const RecordCheck& record) {
-    return record.shaft->rpm / record.source.shaft_speed_rpm - 1;
+  const auto other = [](const RecordCheck& record) {
+    return other_speed(record.shaft, record.source.shaft_speed_rpm);
   };
   std::vector<const RecordCheck*> others;
   for (const RecordCheck& record : records) {
-    const bool is_certain = record.shaft && record.shaft->is_certain();
-    if (is_certain && std::abs(excess(record)) > equal_within) others.push_back(&record);
+    if (!other(record).empty()) others.push_back(&record);
   }
   const auto text = [&](const RecordCheck& record) {
     return fmt::format(
-        "{}: the shaft seems to turn at {:.0f} rpm, {:.1f} % {} shaft_speed_rpm = {:g}; fault "
-        "lines are then off by as much",
-        place_of(record.source), record.shaft->rpm, 100 * std::abs(excess(record)),
-        excess(record) > 0 ? "above" : "below", record.source.shaft_speed_rpm);
+        "{}: {} shaft_speed_rpm = {:g}, and so do all fault lines; correct it, or take speeds from "
+        "the signals with speed_search_percent = {:g}",
+        place_of(record.source), other(record), record.source.shaft_speed_rpm,
+        spectra::speed_search_percent);
   };
   add_for_each(others, text, lines);
 }

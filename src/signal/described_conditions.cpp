@@ -4,7 +4,6 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace piae::signal {
@@ -157,12 +156,22 @@ void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
                                         "a condition may differ by 10 %",
                                         condition.name, least, largest));
     }
-    condition.shaft_speed_rpm = std::accumulate(speeds_rpm.begin(), speeds_rpm.end(), 0.0) /
-                                static_cast<double>(speeds_rpm.size());
+    condition.shaft_speed_rpm = mean_speed_rpm(records, condition.name);
   }
 }
 
 }  // namespace
+
+double mean_speed_rpm(const std::vector<RecordSource>& records, const std::string& condition) {
+  double sum = 0;
+  double count = 0;
+  for (const RecordSource& record : records) {
+    if (record.condition != condition) continue;
+    sum += record.shaft_speed_rpm;
+    ++count;
+  }
+  return sum / count;
+}
 
 std::string read_condition_name(TomlTable& table, const std::string& key) {
   std::string name = table.text(key);

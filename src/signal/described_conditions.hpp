@@ -32,4 +32,7 @@ std::string record_stem(const std::string& class_name, const std::string& condit
 std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetInfo& info,
                                                  std::vector<RecordSource>& records);
 
+/// Returns the mean speed of the records of a condition, which must have some.
+double mean_speed_rpm(const std::vector<RecordSource>& records, const std::string& condition);
+
 }  // namespace piae::signal

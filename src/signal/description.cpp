@@ -382,6 +382,8 @@ Description read_description(const fs::path& file) {
   }
   const auto rate = root.optional_number("sample_rate_hz", ranges::sample_rate_hz);
   require_described_records(file, root, description);
+  description.speed_search_percent =
+      root.optional_number("speed_search_percent", ranges::speed_search_percent).value_or(0);
   description.split = read_described_split(root);
   description.info.conditions =
       read_described_conditions(root, description.info, description.records);

@@ -43,6 +43,7 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     name = "cwru"
 ///     sample_rate_hz = 12000      # resampling rate; without it all records must agree
 ///     shaft_speed_rpm = 1797
+///     speed_search_percent = 10   # optional: takes speeds from the signals, within this range
 ///     unit_m_per_s2 = 9.80665     # one unit of the signals, here g; without it m/s^2
 ///     [bearing]                   # all keys of bearing::Geometry; default raceways: the
 ///                                 # pitch diameter minus and plus the ball's. Not
@@ -73,7 +74,10 @@ using SplitSettings = std::map<std::string, std::size_t>;
 /// split_settings() are allowed.) A description may be `like` another (description_file.hpp).
 struct Description {
   DatasetInfo info;
-  SplitSettings split = {};           ///< settings for the stage split
+  SplitSettings split = {};  ///< settings for the stage split
+  /// Range about the given speeds in which they are taken from the signals (estimated_speeds.hpp);
+  /// 0: the given speeds count.
+  double speed_search_percent = 0;
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
 };
 

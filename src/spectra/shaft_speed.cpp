@@ -19,6 +19,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+constexpr double range = speed_search_percent / 100;
 constexpr int harmonics = 20;  // of the signal
 constexpr int envelope_harmonics = 8;
 constexpr int fewest_harmonics = 3;
@@ -30,7 +31,7 @@ constexpr double own_peak = 0.005;    // relative half width of a peak of the su
 constexpr double step_in_bins = 0.5;  // of the last harmonic
 
 /// Candidate speeds of a search, in Hz.
-ArrayXd candidates(double given_hz, double range, double bin_hz) {
+ArrayXd candidates(double given_hz, double bin_hz) {
   const double step_hz = step_in_bins * bin_hz / harmonics;
   const auto steps = static_cast<Index>(range * given_hz / step_hz);
   return given_hz + step_hz * ArrayXd::LinSpaced(2 * steps + 1, -static_cast<double>(steps),
@@ -94,8 +95,12 @@ ShaftSpeed best_of(const ArrayXd& speeds_hz, const ArrayXd& sum) {
 
 }  // namespace
 
+bool ShaftSpeed::is_within(double percent, double given_rpm) const {
+  return is_certain() && std::abs(rpm / given_rpm - 1) <= percent / 100;
+}
+
 std::optional<ShaftSpeed> estimate_shaft_speed(std::span<const double> signal, double rate_hz,
-                                               double given_rpm, double range) {
+                                               double given_rpm) {
   const double given_hz = given_rpm / 60;
   const auto count =
       static_cast<int>(std::min<double>(harmonics, rate_hz / 2 / (given_hz * (1 + range))));
@@ -106,7 +111,7 @@ std::optional<ShaftSpeed> estimate_shaft_speed(std::span<const double> signal, d
   if (start.maxCoeff() == start.minCoeff()) return std::nullopt;
 
   const double bin_hz = rate_hz / static_cast<double>(samples);
-  const ArrayXd speeds_hz = candidates(given_hz, range, bin_hz);
+  const ArrayXd speeds_hz = candidates(given_hz, bin_hz);
   const auto combed = [&](const Eigen::RowVectorXd& of, int most) {
     const int used = std::min(most, count);
     const double highest_hz = used * given_hz * (1 + range);

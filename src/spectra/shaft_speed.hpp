@@ -14,9 +14,15 @@ struct ShaftSpeed {
 
   /// True if the shaft shows: the second best is at least 2 deviations worse.
   [[nodiscard]] bool is_certain() const { return confidence >= 2; }
+  /// True if it is certain and within so many percent of the given speed.
+  [[nodiscard]] bool is_within(double percent, double given_rpm) const;
 };
 
-/// Estimates the speed of the shaft within `range` (0.1: 10 %) of a given one. Shafts and what
+/// Range of the search about the given speed: nominal speeds are rarely wrong by more, and beyond
+/// it harmonics of one speed are taken for neighbouring harmonics of another.
+inline constexpr double speed_search_percent = 10;
+
+/// Estimates the speed of the shaft within 10 % of a given one. Shafts and what
 /// turns with them make harmonics of the speed in the spectrum (unbalance, misalignment, looseness:
 /// ISO 13373-2) and modulate impacts, so in the envelope spectrum, too. Let L be a spectrum in dB
 /// above its running median over half the speed, clipped to 0 .. 15 dB, so that no single line
@@ -30,6 +36,6 @@ struct ShaftSpeed {
 /// Empty for fewer than 20 turns, for a constant signal, and if the sample rate holds fewer than
 /// three harmonics.
 std::optional<ShaftSpeed> estimate_shaft_speed(std::span<const double> signal, double rate_hz,
-                                               double given_rpm, double range);
+                                               double given_rpm);
 
 }  // namespace piae::spectra

@@ -6,6 +6,7 @@
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 #include "support/three_classes.hpp"
+#include "support/turning_shaft.hpp"
 
 namespace piae::classification {
 namespace {
@@ -53,8 +54,9 @@ class LoneFiles : public testing::Test {
                            .variable = "1",
                            .sample_rate_hz = rate_hz,
                            .shaft_speed_rpm = 1790},
-                          three_classes());
+                          {trained_});
   }
+  const signal::DatasetInfo trained_ = three_classes();
   const Folder folder_;
 };
 
@@ -73,7 +75,7 @@ TEST_F(LoneFiles, AreResampledFromAHigherRate) {
 }
 
 TEST_F(LoneFiles, AreRefusedIfTheyDoNotFit) {
-  EXPECT_ERROR(read("a.csv", "no number", 8000), Exit::bad_input, "is sampled at 8000 Hz");
+  EXPECT_ERROR(read("a.csv", "1\n2\n", 8000), Exit::bad_input, "is sampled at 8000 Hz");
 }
 
 TEST_F(LoneFiles, NeedFiniteSamples) {
@@ -88,18 +90,35 @@ TEST_F(LoneFiles, HaveNamesWithoutTerminalCommands) {
   EXPECT_EQ(read("a\x1B[2J.csv", "1\n2\n").name, "a?[2J.csv");
 }
 
+/// The classifier allows 5 % about 1800 rpm.
+TEST_F(LoneFiles, HaveTheSpeedOfTheirSignalIfItIsSearched) {
+  const LoneFile lone{.file = folder_.write("a.csv", column_of(turning_shaft(1790, 60000, 12000))),
+                      .variable = "1",
+                      .sample_rate_hz = 12000,
+                      .shaft_speed_rpm = 1690};
+  EXPECT_ERROR(read_lone_file(lone, {trained_}), Exit::bad_input, "was recorded at 1690 rpm");
+  const Recording recording =
+      read_lone_file(lone, {.trained = trained_, .speed_search_percent = 10});
+  EXPECT_EQ(recording.given_speed_rpm, 1690);
+  EXPECT_NEAR(recording.shaft_speed_rpm, 1790, 2);
+  EXPECT_EQ(recording.shaft_speed_rpm, recording.shaft->rpm);
+  EXPECT_ERROR(read_lone_file(lone, {.trained = trained_, .speed_search_percent = 3}),
+               Exit::bad_input, "was recorded at 1690 rpm");
+}
+
 TEST(DescribedRecord, HasTheDescribedClass) {
   signal::Record record;
   record.name = "IR-02";
   record.label = 1;
   record.shaft_speed_rpm = 1790;
   record.signal = {1, 2, 3};
-  const Recording recording = recording_of(record, three_classes("other"), three_classes());
+  const signal::DatasetInfo trained = three_classes();
+  const Recording recording = recording_of(record, three_classes("other"), {trained});
   EXPECT_EQ(recording.name, "IR-02");
   EXPECT_EQ(recording.true_class, "IR");
   EXPECT_EQ(recording.signal, record.signal);
   record.shaft_speed_rpm = 900;
-  EXPECT_ERROR(recording_of(record, three_classes("other"), three_classes()), Exit::bad_input,
+  EXPECT_ERROR(recording_of(record, three_classes("other"), {trained}), Exit::bad_input,
                "record IR-02: was recorded at 900 rpm");
 }
 

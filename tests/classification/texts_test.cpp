@@ -54,6 +54,22 @@ TEST(ClassificationTable, HasARowForEachRecording) {
                 "b.csv      unknown  no fault line     -      -     67 %        3"}));
 }
 
+TEST(SpeedsOfRecordings, AreNamedIfTheyDifferFromTheGivenOnes) {
+  Verdict other = judged("a.csv", {1});
+  other.recording.given_speed_rpm = 1400;
+  other.recording.shaft_speed_rpm = 1400;
+  other.recording.shaft = spectra::ShaftSpeed{1477, 5};
+  Verdict used = other;
+  used.recording.shaft_speed_rpm = 1477;
+  Verdict uncertain = other;
+  uncertain.recording.shaft->confidence = 1;
+  EXPECT_EQ(speeds_of({judged("b.csv", {1}), other, used, uncertain}),
+            "a.csv: the shaft seems to turn at 1477 rpm, 5.5 % above 1400 rpm; "
+            "--speed-search-percent takes the speed from the signal\n"
+            "a.csv: the shaft seems to turn at 1477 rpm, 5.5 % above 1400 rpm; this speed was "
+            "used\n");
+}
+
 TEST(ClassificationTable, ShowsTheEvidence) {
   const auto row = [](const Verdict& verdict) { return table_of({verdict}, three_classes()); };
   EXPECT_THAT(row(with_line(judged("a", {1}), 2, false)), HasSubstr("BPFI +2.0 dB, faint"));

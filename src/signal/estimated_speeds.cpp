@@ -1,0 +1,48 @@
+#include "signal/estimated_speeds.hpp"
+
+#include <algorithm>
+
+#include "signal/described_conditions.hpp"
+#include "spectra/shaft_speed.hpp"
+
+namespace piae::signal {
+
+std::span<const double> longest_piece(std::span<const double> signal,
+                                      const std::vector<std::size_t>& lengths) {
+  std::span<const double> longest;
+  std::size_t first = 0;
+  for (const std::size_t length : lengths) {
+    if (length > longest.size()) longest = signal.subspan(first, length);
+    first += length;
+  }
+  return longest;
+}
+
+EstimatedSpeeds use_speeds_of_signals(Description& description,
+                                      const std::filesystem::path& data_dir,
+                                      const std::function<void()>& record_done) {
+  EstimatedSpeeds speeds;
+  if (description.speed_search_percent == 0) return speeds;
+  RecordReader reader(description, data_dir);
+  for (RecordSource& source : description.records) {
+    const Record record = reader.read(source);
+    const auto shaft =
+        spectra::estimate_shaft_speed(longest_piece(record.signal, record.piece_lengths()),
+                                      description.info.sample_rate_hz, source.shaft_speed_rpm);
+    record_done();
+    const bool shows =
+        shaft && shaft->is_within(description.speed_search_percent, source.shaft_speed_rpm);
+    if (!shows) continue;
+    const double ratio = shaft->rpm / source.shaft_speed_rpm;
+    speeds.lowest = speeds.found == 0 ? ratio : std::min(speeds.lowest, ratio);
+    speeds.highest = speeds.found == 0 ? ratio : std::max(speeds.highest, ratio);
+    ++speeds.found;
+    source.shaft_speed_rpm = shaft->rpm;
+  }
+  for (Condition& condition : description.info.conditions) {
+    condition.shaft_speed_rpm = mean_speed_rpm(description.records, condition.name);
+  }
+  return speeds;
+}
+
+}  // namespace piae::signal
