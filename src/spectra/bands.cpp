@@ -21,14 +21,13 @@ constexpr double width_hz = 1200;
 constexpr double step_hz = 600;
 constexpr double edge_hz = 100;
 
-constexpr double edge = 1.0 / 60;  // fraction of half the sample rate that is left out at both ends
 // Fractions of a window's power that are added as a floor, so that no level is -infinity.
 constexpr double lowest_band = 1e-12;
 constexpr double lowest_level = 1e-9;
 
 /// Returns the first bin at or above a band's lower edge.
 Index first_bin(Index band, Index length) {
-  const double share = edge + (1 - 2 * edge) * static_cast<double>(band) / spectral_shape_bands;
+  const double share = left_out_edge + (1 - 2 * left_out_edge) * static_cast<double>(band) / spectral_shape_bands;
   return static_cast<Index>(std::ceil(share * static_cast<double>(length) / 2 - 1e-9));
 }
 

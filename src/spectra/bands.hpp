@@ -35,6 +35,9 @@ FilterBank filter_bank(double rate_hz, Eigen::Index length);
 /// Returns the mean power in each band. Band b covers the bins edges[b] .. edges[b + 1] - 1.
 Eigen::ArrayXd band_means(const Eigen::ArrayXd& power, const std::vector<Eigen::Index>& edges);
 
+/// Fraction of half the sample rate that a spectrum's shape leaves out at both ends.
+inline constexpr double left_out_edge = 1.0 / 60;
+
 /// Number of bands of a spectrum's shape.
 inline constexpr Eigen::Index spectral_shape_bands = 48;
 

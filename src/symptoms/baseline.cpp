@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "base/error.hpp"
 #include "signal/ranges.hpp"
 #include "spectra/bands.hpp"
+#include "symptoms/speed_change.hpp"
 
 namespace piae::symptoms {
 
 namespace {
 
 constexpr double equal_speeds = 0.02;
+constexpr double ratio_step = 0.01;  // of the logarithm, so that drifting speeds share baselines
 constexpr double least_deviation = 1e-6;  // if all healthy windows are the same
 
 using Row = Eigen::ArrayXd Measures::*;
@@ -31,9 +32,10 @@ Eigen::ArrayXXd rows_of(const std::vector<const Measures*>& windows, Row row) {
 
 }  // namespace
 
-Baseline::Baseline(const std::vector<const Measures*>& healthy)
-    : novelty_(rows_of(healthy, &Measures::shape_db)),
-      levels_db_(rows_of(healthy, &Measures::levels_db).colwise().mean()) {
+Baseline::Baseline(const std::vector<const Measures*>& healthy, double speed_ratio)
+    : novelty_(rows_of(healthy, &Measures::shape_db), speed_ratio),
+      levels_db_(rows_of(healthy, &Measures::levels_db).colwise().mean()),
+      change_db_(change_db(levels_db_, places_of_levels(), speed_ratio)) {
   for (std::size_t fault_type = 0; fault_type < number_of_fault_types; ++fault_type) {
     Eigen::ArrayXd lines(healthy.size());
     std::ranges::transform(healthy, lines.begin(),
@@ -54,7 +56,8 @@ std::array<double, number_of_fault_types> Baseline::excesses(const Measures& win
 }
 
 Eigen::ArrayXd Baseline::rise_db(const Measures& window) const {
-  return window.levels_db - levels_db_;
+  const Eigen::ArrayXd rise = window.levels_db - levels_db_;
+  return rise.sign() * (rise.abs() - change_db_).max(0);
 }
 
 bool is_same_speed(double speed_rpm, double other_rpm) {
@@ -76,30 +79,52 @@ Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measure
   }
 }
 
-Baselines::Indices Baselines::near(double speed_rpm) const {
-  Indices all(measures_.size());
-  std::iota(all.begin(), all.end(), 0);
+Baselines::Indices Baselines::alike(double speed_rpm) const {
   Indices alike;
-  std::ranges::copy_if(all, std::back_inserter(alike),
-                       [&](std::size_t i) { return is_same_speed(speeds_rpm_[i], speed_rpm); });
-  return alike.size() < fewest_healthy ? all : alike;
+  for (std::size_t i = 0; i < measures_.size(); ++i) {
+    if (is_same_speed(speeds_rpm_[i], speed_rpm)) alike.push_back(i);
+  }
+  return alike;
 }
 
-const Baseline& Baselines::of(const Indices& healthy) {
-  const auto made = made_.find(healthy);
+Baselines::Indices Baselines::nearest(double speed_rpm) const {
+  Indices own = alike(speed_rpm);
+  if (own.size() >= fewest_healthy) return own;
+  std::vector<double> by_distance = speeds_rpm_;
+  std::ranges::sort(by_distance, {},
+                    [&](double other) { return std::abs(std::log(other / speed_rpm)); });
+  for (const double other : by_distance) {
+    Indices of_other = alike(other);
+    if (of_other.size() >= fewest_healthy) return of_other;
+  }
+  Indices all(measures_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+const Baseline& Baselines::of(const Indices& healthy, double speed_rpm) {
+  double mean_rpm = 0;
+  for (const std::size_t i : healthy)
+    mean_rpm += speeds_rpm_[i] / static_cast<double>(healthy.size());
+  const bool is_same = is_same_speed(mean_rpm, speed_rpm);
+  const double ratio =
+      is_same ? 1 : std::exp(ratio_step * std::round(std::log(speed_rpm / mean_rpm) / ratio_step));
+  const auto made = made_.find({healthy, ratio});
   if (made != made_.end()) return made->second;
   std::vector<const Measures*> rows(healthy.size());
   std::ranges::transform(healthy, rows.begin(), [&](std::size_t i) { return &measures_[i]; });
-  return made_.emplace(healthy, rows).first->second;
+  return made_.emplace(std::pair(healthy, ratio), Baseline(rows, ratio)).first->second;
 }
 
-const Baseline& Baselines::at(double speed_rpm) { return of(near(speed_rpm)); }
+const Baseline& Baselines::at(double speed_rpm) { return of(nearest(speed_rpm), speed_rpm); }
 
 double Baselines::left_out(std::size_t window) {
   const std::size_t own = places_.at(window);
-  const Indices alike = near(speeds_rpm_[own]);
-  const auto place = std::ranges::find(alike, own) - alike.begin();
-  return of(alike).novelty().of_healthy()[place];
+  const Indices healthy = nearest(speeds_rpm_[own]);
+  const Novelty& novelty = of(healthy, speeds_rpm_[own]).novelty();
+  const auto place = std::ranges::find(healthy, own);
+  return place == healthy.end() ? novelty.of(measures_[own].shape_db)
+                                : novelty.of_healthy()[place - healthy.begin()];
 }
 
 void Baselines::write(artefact::Writer& writer, const std::string& group) const {

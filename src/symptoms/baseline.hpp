@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "artefact/reader.hpp"
@@ -15,17 +16,21 @@
 
 namespace piae::symptoms {
 
-/// Common properties of the healthy windows of one speed.
+/// Common properties of the healthy windows of one speed, for comparison with windows of the same
+/// or another speed. Lines lie at orders of the shaft, which do not depend on the speed; levels and
+/// shapes of spectra may differ by speed_change.hpp.
 class Baseline {
  public:
-  /// Takes at least 4 healthy windows in order of time.
-  explicit Baseline(const std::vector<const Measures*>& healthy);
+  /// Takes at least 4 healthy windows in order of time. `speed_ratio` is the speed of the windows
+  /// to be compared over that of the healthy ones.
+  explicit Baseline(const std::vector<const Measures*>& healthy, double speed_ratio = 1);
 
   /// Returns the height of each fault type's line above the healthy mean, in healthy standard
   /// deviations.
   [[nodiscard]] std::array<double, number_of_fault_types> excesses(const Measures& window) const;
   [[nodiscard]] const Novelty& novelty() const { return novelty_; }
-  /// Returns [bands] the levels of a window above the mean of the healthy ones, in dB.
+  /// Returns [bands] the levels of a window above the mean of the healthy ones, in dB. At another
+  /// speed, only what exceeds the change by the speed counts.
   [[nodiscard]] Eigen::ArrayXd rise_db(const Measures& window) const;
 
  private:
@@ -33,6 +38,7 @@ class Baseline {
   std::array<double, number_of_fault_types> deviation_{};
   Novelty novelty_;
   Eigen::ArrayXd levels_db_;
+  Eigen::ArrayXd change_db_;
 };
 
 /// Least number of healthy windows for a comparison.
@@ -41,8 +47,8 @@ inline constexpr std::size_t fewest_healthy = 8;
 /// True if a speed is within 2 % of the other one, and so shares its baseline.
 bool is_same_speed(double speed_rpm, double other_rpm);
 
-/// Healthy windows of a set. Each window is compared with those of its own speed, or with all of
-/// them if fewer than eight have its speed.
+/// Healthy windows of a set. Each window is compared with those of its own speed; if fewer than
+/// eight have it, with those of the nearest speed that eight or more have, else with all of them.
 class Baselines {
  public:
   /// Takes the healthy windows of a set, which may hold others; `measures` are of all its windows.
@@ -65,14 +71,15 @@ class Baselines {
  private:
   using Indices = std::vector<std::size_t>;
   Baselines() = default;
-  [[nodiscard]] Indices near(double speed_rpm) const;
-  const Baseline& of(const Indices& healthy);
+  [[nodiscard]] Indices alike(double speed_rpm) const;
+  [[nodiscard]] Indices nearest(double speed_rpm) const;
+  const Baseline& of(const Indices& healthy, double speed_rpm);
 
   // Healthy windows in order of time:
   std::vector<double> speeds_rpm_;
   std::vector<Measures> measures_;
-  std::map<std::size_t, std::size_t> places_;  ///< index in the set to index here
-  std::map<Indices, Baseline> made_;
+  std::map<std::size_t, std::size_t> places_;            ///< index in the set to index here
+  std::map<std::pair<Indices, double>, Baseline> made_;  ///< by windows and ratio of speeds
 };
 
 }  // namespace piae::symptoms

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "spectra/left_out.hpp"
+#include "symptoms/speed_change.hpp"
 
 namespace piae::symptoms {
 
@@ -39,7 +40,7 @@ Novelty::Likeness Novelty::likeness(const Eigen::ArrayXXd& shapes) {
   return {.mean = mean, .deviation = (variance + common * common).sqrt()};
 }
 
-Novelty::Novelty(const Eigen::ArrayXXd& healthy)
+Novelty::Novelty(const Eigen::ArrayXXd& healthy, double speed_ratio)
     : all_(likeness(healthy)), of_healthy_(healthy.rows()) {
   for (Index block = 0; block < blocks; ++block) {
     const Likeness others = likeness(without_block(healthy, block));
@@ -51,6 +52,9 @@ Novelty::Novelty(const Eigen::ArrayXXd& healthy)
   }
   threshold_ = spectra::left_out_threshold(of_healthy_.maxCoeff(), margin, least_deviation_db);
   of_healthy_ /= threshold_;
+  if (speed_ratio == 1) return;
+  const Eigen::ArrayXd change = change_db(all_.mean, places_of_shape(), speed_ratio);
+  all_.deviation = (all_.deviation.square() + change.square()).sqrt();
 }
 
 double Novelty::of(const Eigen::ArrayXd& shape) const { return all_.distance(shape) / threshold_; }

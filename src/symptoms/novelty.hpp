@@ -10,14 +10,16 @@ namespace piae::symptoms {
 ///
 ///     distance = root of the mean over the bands of (s - m)^2 / (v + (d / 2)^2).
 ///
-/// d limits the weight of a band in which healthy windows happen to be alike. The threshold is 1.2
-/// times the largest distance of a left-out healthy window: the windows are cut into four blocks,
-/// and each is compared with the other three, so that overlapping windows do not vouch for each
-/// other.
+/// d limits the weight of a band in which healthy windows happen to be alike. For windows of
+/// another speed, v also holds the square of the change that the speed allows (speed_change.hpp).
+/// The threshold is 1.2 times the largest distance of a left-out healthy window: the windows are
+/// cut into four blocks, and each is compared with the other three, so that overlapping windows do
+/// not vouch for each other.
 class Novelty {
  public:
   /// Takes the shapes of n healthy windows, a row for each, in order of time; n is at least 4.
-  explicit Novelty(const Eigen::ArrayXXd& healthy);
+  /// `speed_ratio` is the speed of the windows to be compared over that of the healthy ones.
+  explicit Novelty(const Eigen::ArrayXXd& healthy, double speed_ratio = 1);
 
   /// Returns the distance of a shape divided by the threshold: more than 1 is new.
   [[nodiscard]] double of(const Eigen::ArrayXd& shape) const;

@@ -55,8 +55,8 @@ TEST(Baseline, CountsDeviationsOfHealthyWindows) {
   EXPECT_NEAR(baseline.rise_db(measures_of(10))[1], 11, 1e-12);
 }
 
-// 9 .. 16 have the mean 12.5, and all sixteen 8.5 and the variance 255 / 12.
-TEST(Baselines, UseWindowsOfASpeedOtherwiseAll) {
+// 9 .. 16 have the mean 12.5.
+TEST(Baselines, UseWindowsOfTheNearestSpeed) {
   const Healthy healthy(eight_of_each({1000, 2000}));
   Baselines baselines(healthy.windows, healthy.measures);
   const auto excess = [&](double speed_rpm) {
@@ -64,17 +64,42 @@ TEST(Baselines, UseWindowsOfASpeedOtherwiseAll) {
   };
   EXPECT_NEAR(excess(1000), 8.5 / std::sqrt(5.25), 1e-12);
   EXPECT_NEAR(excess(1019), 8.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(excess(1400), 8.5 / std::sqrt(5.25), 1e-12);
+  EXPECT_NEAR(excess(1430), 0.5 / std::sqrt(5.25), 1e-12);
   EXPECT_NEAR(excess(1970), 0.5 / std::sqrt(5.25), 1e-12);
-  EXPECT_NEAR(excess(1100), 4.5 / std::sqrt(255 / 12.0), 1e-12);
+}
+
+// The mean levels are 4.5 and 9. At twice the speed the first moves beyond the second, so its
+// change is 2 dB and that of the second nearly 4.5 - 9.
+TEST(Baselines, AllowForAnotherSpeed) {
+  const Healthy healthy(eight_of_each({1000}));
+  Baselines baselines(healthy.windows, healthy.measures);
+  const double novel = baselines.at(1000).novelty().of(measures_of(20).shape_db);
+  EXPECT_GT(novel, 1);
+  EXPECT_LT(baselines.at(2000).novelty().of(measures_of(20).shape_db), 0.7 * novel);
+  EXPECT_EQ(baselines.at(1019).novelty().of(measures_of(20).shape_db), novel);
+  EXPECT_NEAR(baselines.at(1000).rise_db(measures_of(10))[0], 5.5, 1e-12);
+  EXPECT_NEAR(baselines.at(2000).rise_db(measures_of(10))[0], 3.5, 0.02);
+  EXPECT_NEAR(baselines.at(500).rise_db(measures_of(3.5))[0], 0, 1e-12);
+  EXPECT_NEAR(baselines.at(2000).rise_db(measures_of(0))[0], -2.5, 0.02);
 }
 
 // Seven windows of a speed are too few.
-TEST(Baselines, UseAllWindowsIfFewHaveASpeed) {
+TEST(Baselines, UseAnotherSpeedIfFewHaveTheirOwn) {
   std::vector<double> speeds = eight_of_each({1000});
   speeds.insert(speeds.end(), 7, 2000);
   const Healthy healthy(speeds);
   Baselines baselines(healthy.windows, healthy.measures);
-  EXPECT_NEAR(baselines.at(2000).rise_db(measures_of(9))[0], 1, 1e-12);  // 1 .. 15 have the mean 8
+  EXPECT_EQ(&baselines.at(2000), &baselines.at(2001));
+  EXPECT_NEAR(baselines.at(2000).excesses(measures_of(8.5))[0], 4 / std::sqrt(5.25), 1e-12);
+  EXPECT_EQ(baselines.left_out(14), baselines.at(2000).novelty().of(measures_of(15).shape_db));
+}
+
+// 1 .. 8 at eight speeds have the mean 4.5.
+TEST(Baselines, UseAllWindowsIfFewHaveAnySpeed) {
+  const Healthy healthy({1000, 1100, 1200, 1300, 1400, 1500, 1600, 1700});
+  Baselines baselines(healthy.windows, healthy.measures);
+  EXPECT_NEAR(baselines.at(1350).excesses(measures_of(10))[0], 5.5 / std::sqrt(5.25), 1e-12);
 }
 
 TEST(Baselines, LeaveOutBlocksByTimeNotByOrder) {
