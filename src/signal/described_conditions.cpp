@@ -44,14 +44,19 @@ void require_named(const TomlTable& transfer, const std::string& key, const Name
 }
 
 /// Sets the uses of each condition.
-void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
+void read_transfer(TomlTable& transfer, bool any_known, std::vector<Condition>& conditions) {
   Names named;
   for (const Condition& condition : conditions) named.push_back(condition.name);
   if (named.empty()) {
     transfer.refuse("known",
                     "names conditions, but no record has one; add condition to each [[record]]");
   }
-  const Names known = transfer.texts("known");
+  if (!any_known && transfer.has("known")) {
+    transfer.refuse("known",
+                    "names conditions with known faults, but split.known-per-class is 0, so no "
+                    "fault is known in any; remove one of the two");
+  }
+  const Names known = any_known ? transfer.texts("known") : Names{};
   const Names test = transfer.texts("test");
   const Names healthy = transfer.optional_texts("healthy");
   transfer.finish();
@@ -63,8 +68,8 @@ void read_transfer(TomlTable& transfer, std::vector<Condition>& conditions) {
     transfer.refuse("test", "names '" + name + "', which is in known, too; name another condition");
   }
   for (Condition& condition : conditions) {
-    condition.known = has(known, condition.name);
     condition.test = has(test, condition.name);
+    condition.known = any_known ? has(known, condition.name) : condition.test;
     condition.healthy =
         healthy.empty() ? condition.known || condition.test : has(healthy, condition.name);
   }
@@ -110,8 +115,8 @@ void require_faults(const TomlTable& transfer, const DatasetInfo& info,
                              info.class_of(label).name + " has no record there");
   };
   for (const Label label : info.fault_labels()) {
-    require(label, "known", &Condition::known);
     require(label, "test", &Condition::test);
+    require(label, "known", &Condition::known);
   }
 }
 
@@ -186,11 +191,12 @@ std::string record_stem(const std::string& class_name, const std::string& condit
 }
 
 std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetInfo& info,
-                                                 std::vector<RecordSource>& records) {
+                                                 std::vector<RecordSource>& records,
+                                                 bool any_known) {
   std::vector<Condition> conditions;
   for (const std::string& name : condition_names(records)) conditions.push_back({.name = name});
   if (auto transfer = root.optional_table("transfer")) {
-    read_transfer(*transfer, conditions);
+    read_transfer(*transfer, any_known, conditions);
     require_a_condition_of_faults(*transfer, info, records);
     require_faults(*transfer, info, conditions, records);
     require_healthy(*transfer, info, conditions, records);

@@ -24,13 +24,15 @@ std::string record_stem(const std::string& class_name, const std::string& condit
 ///     test    = ["900 rpm"]              # A and D come from these
 ///     healthy = ["1200 rpm", "900 rpm"]  # B; without it, from both of the above
 ///
+/// If no fault is known (known-per-class is 0), `known` must be missing, and counts as `test`.
 /// Without [transfer] every condition has every use. Removes records of a condition without a use.
 ///
 /// Throws Error(bad_input) with file, line and key for a condition that no record has, a condition
 /// both known and tested, a fault class without a known or a test record, and a tested condition
 /// without a healthy record.
 std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetInfo& info,
-                                                 std::vector<RecordSource>& records);
+                                                 std::vector<RecordSource>& records,
+                                                 bool any_known);
 
 /// Returns the mean speed of the records of a condition, which must have some.
 double mean_speed_rpm(const std::vector<RecordSource>& records, const std::string& condition);

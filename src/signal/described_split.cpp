@@ -35,13 +35,7 @@ SplitSettings read_described_split(TomlTable& root) {
       table->refuse(name,
                     "is unknown; known keys are " + list + (meant.empty() ? "" : "; " + meant));
     }
-    const std::int64_t value = table->integer(name, setting->range);
-    if (name == known_per_class && value == 0 && root.has("transfer")) {
-      table->refuse(name,
-                    "is 0, so no fault is known in any condition, but [transfer] names conditions "
-                    "with known faults; remove one of the two");
-    }
-    settings.emplace(name, static_cast<std::size_t>(value));
+    settings.emplace(name, static_cast<std::size_t>(table->integer(name, setting->range)));
   }
   return settings;
 }
@@ -58,6 +52,11 @@ void require_sensible_split(const Description& description, const std::filesyste
   } catch (const Error& error) {
     throw Error(Exit::bad_input, file.string() + ": " + error.what() + "; change [split] in it");
   }
+}
+
+bool any_known(const SplitSettings& settings) {
+  const auto known = settings.find(known_per_class);
+  return known == settings.end() || known->second > 0;
 }
 
 }  // namespace piae::signal

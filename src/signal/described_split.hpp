@@ -19,4 +19,7 @@ SplitOptions split_options_of(const Description& description);
 /// Throws Error(bad_input) for settings that leave no window for a role; `file` is the description.
 void require_sensible_split(const Description& description, const std::filesystem::path& file);
 
+/// True unless these settings say that no fault window is known.
+bool any_known(const SplitSettings& settings);
+
 }  // namespace piae::signal

@@ -385,8 +385,8 @@ Description read_description(const fs::path& file) {
   description.speed_search_percent =
       root.optional_number("speed_search_percent", ranges::speed_search_percent).value_or(0);
   description.split = read_described_split(root);
-  description.info.conditions =
-      read_described_conditions(root, description.info, description.records);
+  description.info.conditions = read_described_conditions(
+      root, description.info, description.records, any_known(description.split));
   set_mean_sizes(classes, description.records, description.info);
   require_possible(description.info, root, classes);
   root.finish();

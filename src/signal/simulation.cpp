@@ -65,7 +65,7 @@ void read_table(TomlTable& table, Simulation& simulation) {
 
 /// Reads the conditions of a simulation and their uses from [transfer].
 std::vector<Condition> described_conditions(TomlTable& root, TomlTable& table,
-                                            const DatasetInfo& info) {
+                                            const DatasetInfo& info, bool any_known) {
   std::vector<RecordSource> records;
   for (TomlTable& condition : table.optional_tables("condition")) {
     RecordSource record;
@@ -80,7 +80,7 @@ std::vector<Condition> described_conditions(TomlTable& root, TomlTable& table,
       records.push_back(record);
     }
   }
-  return read_described_conditions(root, info, records);
+  return read_described_conditions(root, info, records, any_known);
 }
 
 /// Records of one class in one condition.
@@ -211,9 +211,9 @@ Simulation read_simulation(const std::filesystem::path& file) {
   TomlTable table = root.table("simulation");
   for (const TomlTable& c : classes) c.finish();
   read_table(table, simulation);
-  simulation.info.conditions = described_conditions(root, table, simulation.info);
+  const SplitSettings split = read_described_split(root);
+  simulation.info.conditions = described_conditions(root, table, simulation.info, any_known(split));
   table.finish();
-  (void)read_described_split(root);
   root.finish();
   return simulation;
 }

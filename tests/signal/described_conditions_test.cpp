@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"# end", "[split]\nknown-per-class = -1", "split.known-per-class must be from 0"},
         Refused{
             "# end", "[split]\nknown-per-class = 0",
-            "split.known-per-class is 0, so no fault is known in any condition, but [transfer]"},
+            "transfer.known names conditions with known faults, but split.known-per-class is 0"},
         Refused{"# end", "[split]\nwindow = \"long\"", "split.window must be a whole number"}));
 
 TEST(DescribedConditions, MayHaveNoKnownFault) {
@@ -166,6 +166,19 @@ TEST(DescribedConditions, MayHaveNoKnownFault) {
   const Description description =
       read_description(folder.write("rig.toml", two_speeds + "[split]\nknown-per-class = 0\n"));
   EXPECT_EQ(description.info.conditions.size(), 2U);
+}
+
+/// Healthy windows of one speed, faults of another.
+TEST(DescribedConditions, MayHaveHealthyWindowsOfAnotherConditionAlone) {
+  const Description d = described(two_speeds +
+                                  "[split]\nknown-per-class = 0\n[transfer]\ntest = "
+                                  "[\"900 rpm\"]\nhealthy = [\"1200 rpm\"]\n");
+  ASSERT_EQ(d.info.conditions.size(), 2U);
+  const Condition& test = d.info.conditions[0];
+  EXPECT_TRUE(test.known && test.test && !test.healthy);
+  const Condition& healthy = d.info.conditions[1];
+  EXPECT_TRUE(!healthy.known && !healthy.test && healthy.healthy);
+  EXPECT_FALSE(is_transfer(d.info.conditions));
 }
 
 /// Healthy records at several speeds do not need a condition for each.
