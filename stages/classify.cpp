@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     const signal::DatasetInfo& info = kept.info();
     const diagnosis::Trust trust = diagnosis::read_trust(reader, info);
 
-    std::vector<classification::Recording> recordings = classification::read(stage, sources, info);
+    std::vector<classification::Recording> recordings = classification::read(stage, sources, kept);
     stage.require_free({output, csv, picture});
     std::vector<classification::Verdict> verdicts;
     cli::Progress progress("classify", "recordings", recordings.size());

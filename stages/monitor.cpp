@@ -46,8 +46,8 @@ int main(int argc, char** argv) {
   return stage.run(argc, argv, [&] {
     diagnosis::KeptClassifier classifier(stage.open("classifier", classifier_file, "classifier"));
     monitor::Input input(input_file, follow);
-    diagnosis::require_fitting_signal(classifier.info(), options.sample_rate_hz, options.speed_rpm,
-                                      input.name());
+    diagnosis::require_fitting_signal(classifier.classifier(), classifier.info(),
+                                      options.sample_rate_hz, options.speed_rpm, input.name());
     const auto predict = [&](const signal::WindowSet& windows) {
       return classifier.predict(windows);
     };

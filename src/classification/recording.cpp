@@ -48,7 +48,8 @@ Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std
   const bool shows = recording.shaft && recording.shaft->is_within(fit.speed_search_percent,
                                                                    recording.given_speed_rpm);
   recording.shaft_speed_rpm = shows ? recording.shaft->rpm : recording.given_speed_rpm;
-  diagnosis::require_fitting_signal(fit.trained, rate_hz, recording.shaft_speed_rpm, what);
+  diagnosis::require_fitting_signal(fit.classifier, fit.trained, rate_hz, recording.shaft_speed_rpm,
+                                    what);
   recording.signal = signal::resample(recording.signal, rate_hz, fit.trained.sample_rate_hz);
   return recording;
 }
@@ -85,7 +86,8 @@ std::vector<Recording> read_described(const std::filesystem::path& file,
                                       const std::function<void(const signal::SourceFile&)>& note) {
   const signal::Description description = signal::read_description(file);
   const double own_search = description.speed_search_percent;
-  const Fit own{.trained = fit.trained,
+  const Fit own{.classifier = fit.classifier,
+                .trained = fit.trained,
                 .speed_search_percent = own_search > 0 ? own_search : fit.speed_search_percent};
   require_records(description.records, names, file.string());
   signal::RecordReader reader(description, data_dir);

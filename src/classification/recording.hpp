@@ -36,6 +36,7 @@ struct Recording {
 
 /// What recordings must fit.
 struct Fit {
+  const diagnosis::Classifier& classifier;
   const signal::DatasetInfo& trained;  ///< of the classifier
   /// Range about the given speed in which it is taken from the signal; 0: the given speed counts.
   double speed_search_percent = 0;

@@ -51,8 +51,10 @@ void require_one(const Sources& sources) {
 }
 
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
-                            const signal::DatasetInfo& trained) {
-  const Fit fit{.trained = trained, .speed_search_percent = sources.speed_search_percent};
+                            const diagnosis::KeptClassifier& kept) {
+  const Fit fit{.classifier = kept.classifier(),
+                .trained = kept.info(),
+                .speed_search_percent = sources.speed_search_percent};
   if (!sources.lone.file.empty()) {
     stage.note_input("recording", sources.lone.file);
     return {read_lone_file(sources.lone, fit)};

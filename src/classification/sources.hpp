@@ -29,6 +29,6 @@ void require_one(const Sources& sources);
 /// Reads the recordings at the sample rate of the training, and records the files as inputs of the
 /// stage. Throws as read_lone_file(), read_described() and read_recorded() do.
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
-                            const signal::DatasetInfo& trained);
+                            const diagnosis::KeptClassifier& kept);
 
 }  // namespace piae::classification

@@ -60,6 +60,11 @@ using EpochDone = std::function<void(std::int64_t done, double loss)>;
 /// Converts windows to the input of a WDCNN; `what` names the set in errors.
 using Represent = LabelledWindows (*)(const signal::WindowSet& windows, const std::string& what);
 
+/// The same for classifiers by symptoms: lines lie at orders of the shaft, and baselines allow for
+/// other speeds (symptoms/speed_change.hpp). Tried from 0.5 to 2.
+inline constexpr double slowest_of_symptoms = 0.4;
+inline constexpr double fastest_of_symptoms = 2.5;
+
 /// A classifier of the catalogue, defined in its own file (nearest.hpp).
 struct Classifier {
   const char* name;   ///< the name in CLASSIFIERS, in folders and in tables
@@ -70,6 +75,10 @@ struct Classifier {
   /// True if it learns from healthy windows alone. It does not need fault windows, known or
   /// generated, and runs with `none` only.
   bool rule = false;
+  /// Speeds of recordings that it can judge, over those that it was trained for. The loads of
+  /// CWRU's records alone make 4 %.
+  double slowest = 0.95;
+  double fastest = 1.05;
   /// Trains a classifier other than WDCNN. `normal` is B; `training` is the whole training set, B
   /// first.
   Learned (*learn)(const signal::WindowSet& normal, const signal::WindowSet& training,

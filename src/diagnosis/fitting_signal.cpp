@@ -4,7 +4,6 @@
 #include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "base/error.hpp"
@@ -27,8 +26,9 @@ std::set<double> trained_speeds_rpm(const signal::DatasetInfo& trained) {
 
 }  // namespace
 
-void require_fitting_signal(const signal::DatasetInfo& trained, double sample_rate_hz,
-                            double shaft_speed_rpm, const std::string& what) {
+void require_fitting_signal(const Classifier& classifier, const signal::DatasetInfo& trained,
+                            double sample_rate_hz, double shaft_speed_rpm,
+                            const std::string& what) {
   if (sample_rate_hz < trained.sample_rate_hz) {
     throw Error(Exit::bad_input,
                 fmt::format("{}: is sampled at {:g} Hz, but the classifier was trained at {:g} Hz; "
@@ -38,16 +38,18 @@ void require_fitting_signal(const signal::DatasetInfo& trained, double sample_ra
   }
   const std::set<double> speeds = trained_speeds_rpm(trained);
   const auto is_near = [&](double rpm) {
-    return std::abs(shaft_speed_rpm / rpm - 1) <= speed_tolerance;
+    return shaft_speed_rpm >= classifier.slowest * rpm &&
+           shaft_speed_rpm <= classifier.fastest * rpm;
   };
   if (std::ranges::any_of(speeds, is_near)) return;
   const std::string all = fmt::format("{:g}", fmt::join(speeds, ", "));
   throw Error(
       Exit::bad_input,
-      fmt::format("{}: was recorded at {:g} rpm, but the classifier was trained at {} rpm and "
-                  "allows a deviation of {:g} %; train a classifier for this speed "
-                  "(docs/strike-twin.md, if faults are known at another speed only)",
-                  what, shaft_speed_rpm, all, 100 * speed_tolerance));
+      fmt::format(
+          "{}: was recorded at {:g} rpm, but the classifier was trained at {} rpm and "
+          "{} judges recordings at {:g} to {:g} times that speed; train a classifier for this "
+          "speed (docs/strike-twin.md, if faults are known at another speed only)",
+          what, shaft_speed_rpm, all, classifier.name, classifier.slowest, classifier.fastest));
 }
 
 }  // namespace piae::diagnosis

@@ -73,6 +73,8 @@ inline constexpr Classifier envelope_rule{
     .what = "fault lines compared with healthy windows, untrained",
     .input = "the envelope spectrum over orders of the shaft",
     .rule = true,
+    .slowest = slowest_of_symptoms,
+    .fastest = fastest_of_symptoms,
     .learn = learn_rule<Rule::envelope>,
     .read = read_rule<Rule::envelope>};
 inline constexpr Classifier exclusion_rule{
@@ -80,6 +82,8 @@ inline constexpr Classifier exclusion_rule{
     .what = "the same, and a changed spectrum without a fault line is a ball fault",
     .input = "the envelope spectrum over orders of the shaft and the log power in 48 bands",
     .rule = true,
+    .slowest = slowest_of_symptoms,
+    .fastest = fastest_of_symptoms,
     .learn = learn_rule<Rule::exclusion>,
     .read = read_rule<Rule::exclusion>};
 

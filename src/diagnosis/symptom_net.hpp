@@ -56,6 +56,8 @@ inline constexpr Classifier symptom_net{
     .name = "symptom-net",
     .what = "a small network on symptoms",
     .input = "17 symptoms: fault lines, kurtosis, rise of bands, novelty",
+    .slowest = slowest_of_symptoms,
+    .fastest = fastest_of_symptoms,
     .learn = train_symptom_net,
     .read = read_symptom_net,
     .own_epochs = SymptomTraining::epochs};

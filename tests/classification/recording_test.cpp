@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "diagnosis/wdcnn_inputs.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 #include "support/three_classes.hpp"
@@ -54,7 +55,7 @@ class LoneFiles : public testing::Test {
                            .variable = "1",
                            .sample_rate_hz = rate_hz,
                            .shaft_speed_rpm = 1790},
-                          {trained_});
+                          {diagnosis::wdcnn, trained_});
   }
   const signal::DatasetInfo trained_ = three_classes();
   const Folder folder_;
@@ -96,14 +97,17 @@ TEST_F(LoneFiles, HaveTheSpeedOfTheirSignalIfItIsSearched) {
                       .variable = "1",
                       .sample_rate_hz = 12000,
                       .shaft_speed_rpm = 1690};
-  EXPECT_ERROR(read_lone_file(lone, {trained_}), Exit::bad_input, "was recorded at 1690 rpm");
-  const Recording recording =
-      read_lone_file(lone, {.trained = trained_, .speed_search_percent = 10});
+  EXPECT_ERROR(read_lone_file(lone, {diagnosis::wdcnn, trained_}), Exit::bad_input,
+               "was recorded at 1690 rpm");
+  const Recording recording = read_lone_file(
+      lone, {.classifier = diagnosis::wdcnn, .trained = trained_, .speed_search_percent = 10});
   EXPECT_EQ(recording.given_speed_rpm, 1690);
   EXPECT_NEAR(recording.shaft_speed_rpm, 1790, 2);
   EXPECT_EQ(recording.shaft_speed_rpm, recording.shaft->rpm);
-  EXPECT_ERROR(read_lone_file(lone, {.trained = trained_, .speed_search_percent = 3}),
-               Exit::bad_input, "was recorded at 1690 rpm");
+  EXPECT_ERROR(
+      read_lone_file(
+          lone, {.classifier = diagnosis::wdcnn, .trained = trained_, .speed_search_percent = 3}),
+      Exit::bad_input, "was recorded at 1690 rpm");
 }
 
 TEST(DescribedRecord, HasTheDescribedClass) {
@@ -113,13 +117,14 @@ TEST(DescribedRecord, HasTheDescribedClass) {
   record.shaft_speed_rpm = 1790;
   record.signal = {1, 2, 3};
   const signal::DatasetInfo trained = three_classes();
-  const Recording recording = recording_of(record, three_classes("other"), {trained});
+  const Recording recording =
+      recording_of(record, three_classes("other"), {diagnosis::wdcnn, trained});
   EXPECT_EQ(recording.name, "IR-02");
   EXPECT_EQ(recording.true_class, "IR");
   EXPECT_EQ(recording.signal, record.signal);
   record.shaft_speed_rpm = 900;
-  EXPECT_ERROR(recording_of(record, three_classes("other"), {trained}), Exit::bad_input,
-               "record IR-02: was recorded at 900 rpm");
+  EXPECT_ERROR(recording_of(record, three_classes("other"), {diagnosis::wdcnn, trained}),
+               Exit::bad_input, "record IR-02: was recorded at 900 rpm");
 }
 
 }  // namespace

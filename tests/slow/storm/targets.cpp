@@ -90,7 +90,8 @@ std::vector<double> recorded_samples() {
 /// Classifies the windows of a recording as `classify` does.
 void load_classifier(const fs::path& file) {
   diagnosis::KeptClassifier kept(artefact::Reader(file, "classifier"));
-  diagnosis::require_fitting_signal(kept.info(), recorded_hz, recorded_rpm, file.string());
+  diagnosis::require_fitting_signal(kept.classifier(), kept.info(), recorded_hz, recorded_rpm,
+                                    file.string());
   const classification::Recording recording{.name = file.string(),
                                             .shaft_speed_rpm = recorded_rpm,
                                             .true_class = "",
