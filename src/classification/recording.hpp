@@ -34,7 +34,7 @@ struct Recording {
   std::vector<double> signal;
 };
 
-/// What recordings must fit.
+/// Requirements on recordings.
 struct Fit {
   const diagnosis::Classifier& classifier;
   const signal::DatasetInfo& trained;  ///< of the classifier

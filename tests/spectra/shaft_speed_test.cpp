@@ -35,7 +35,7 @@ TEST(ShaftSpeed, IsFoundByItsHarmonics) {
   }
 }
 
-/// A structure that rings is louder once in a turn, so only the envelope shows the speed.
+/// Noise of twice the amplitude during a tenth of each turn: only the envelope shows the speed.
 TEST(ShaftSpeed, IsFoundByTheEnvelopeAlone) {
   std::vector<double> signal = white_noise(ten_s);
   for (std::size_t i = 0; i < signal.size(); ++i) {
