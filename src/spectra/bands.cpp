@@ -27,7 +27,8 @@ constexpr double lowest_level = 1e-9;
 
 /// Returns the first bin at or above a band's lower edge.
 Index first_bin(Index band, Index length) {
-  const double share = left_out_edge + (1 - 2 * left_out_edge) * static_cast<double>(band) / spectral_shape_bands;
+  const double share =
+      left_out_edge + (1 - 2 * left_out_edge) * static_cast<double>(band) / spectral_shape_bands;
   return static_cast<Index>(std::ceil(share * static_cast<double>(length) / 2 - 1e-9));
 }
 
