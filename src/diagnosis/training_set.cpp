@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "base/label.hpp"
+#include "signal/described_conditions.hpp"
 #include "symptoms/baseline.hpp"
 
 namespace piae::diagnosis {
@@ -89,8 +90,8 @@ double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> spe
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns the shaft speed of the known windows that a generated window was made from, the first
-/// one's; NaN if their speeds differ.
+/// Returns the shaft speed of the known windows that a generated window was made from: the first
+/// one's, or the middle if their speeds differ, but belong to one condition; NaN otherwise.
 double speed_of_parents_rpm(const WindowSet& known, const signal::Parents& parents) {
   std::vector<double> speeds;
   for (const std::int32_t parent : parents) {
@@ -102,9 +103,12 @@ double speed_of_parents_rpm(const WindowSet& known, const signal::Parents& paren
     }
     speeds.push_back(known.speed_rpm(i));
   }
-  const bool same = !speeds.empty() &&
-                    symptoms::is_same_speed(std::ranges::min(speeds), std::ranges::max(speeds));
-  return same ? speeds.front() : std::numeric_limits<double>::quiet_NaN();
+  if (speeds.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto [slowest, fastest] = std::ranges::minmax(speeds);
+  if (symptoms::is_same_speed(slowest, fastest)) return speeds.front();
+  return fastest <= signal::largest_speed_ratio * slowest
+             ? std::midpoint(slowest, fastest)
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Appends the shaft speed of each window.

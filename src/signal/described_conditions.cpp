@@ -142,11 +142,6 @@ void require_healthy(const TomlTable& transfer, const DatasetInfo& info,
   }
 }
 
-/// Largest over smallest speed of a condition. A drive that is set to one speed may turn by some
-/// percent faster or slower with each bearing; beyond that, it is another condition, or a slip of
-/// the pen.
-constexpr double largest_speed_ratio = 1.1;
-
 /// Sets each condition's speed to the mean of its records, which must agree within 10 %.
 void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
                 std::vector<Condition>& conditions) {

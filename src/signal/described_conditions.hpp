@@ -9,6 +9,11 @@
 
 namespace piae::signal {
 
+/// Largest over smallest speed of a condition. A drive that is set to one speed may turn by some
+/// percent faster or slower with each bearing; beyond that, it is another condition, or a slip of
+/// the pen.
+inline constexpr double largest_speed_ratio = 1.1;
+
 /// Reads the name of a condition. Throws Error(bad_input) for an invalid name.
 std::string read_condition_name(TomlTable& table, const std::string& key);
 

@@ -103,6 +103,8 @@ TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedThatOfTheirParents) {
   };
   EXPECT_THAT(speeds_of({3}, {0, 2}), testing::ElementsAre(900, 600));
   EXPECT_THAT(speeds_of({2, 3}, {}), testing::ElementsAre(testing::IsNan(), testing::IsNan()));
+  known.shaft_speed_rpm = {900, 600, 960, 600};  // one condition, whose speeds may differ by 10 %
+  EXPECT_THAT(speeds_of({3}, {0, 2}), testing::ElementsAre(930, 600));
   generated.parents[1] = {4};
   expect_error(Exit::bad_input,
                "--generated: a window was made from known window 4, but --known holds 4 windows",
