@@ -27,9 +27,17 @@ std::string reason(const FaultLine& line) {
                      100 * line.share_elsewhere);
 }
 
+/// True if the shaft certainly turns so much faster or slower that lines are not at their places.
+bool turns_otherwise(const RecordCheck& record) {
+  constexpr double percent = 100 * spectra::line_tolerance;
+  const double given_rpm = record.source.shaft_speed_rpm;
+  return record.shaft && record.shaft->is_certain() && !record.shaft->is_within(percent, given_rpm);
+}
+
 bool has_lines(const RecordCheck& record) {
   return record.problem.empty() && !record.goes_one_way && !record.few_values &&
-         !looks_like_hz(record.source.shaft_speed_rpm) && record.turns() >= fewest_turns;
+         !turns_otherwise(record) && !looks_like_hz(record.source.shaft_speed_rpm) &&
+         record.turns() >= fewest_turns;
 }
 
 /// Returns what is odd about the lines of a faulty record. Empty if its own line stands out

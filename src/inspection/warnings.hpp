@@ -11,7 +11,7 @@ namespace piae::inspection {
 /// Returns the oddities of a description and its recordings, one line each: where (key of the
 /// description; record, file and variable), what, and why it matters. Each may be intended, and
 /// none stops the grid. Consequences of another oddity are not repeated: a record with a speed that
-/// looks like Hz, or without vibration, is not searched for fault lines.
+/// looks like Hz or contradicts its shaft, or without vibration, is not searched for fault lines.
 std::vector<std::string> warnings_of(const signal::Description& description,
                                      const DatasetCheck& check);
 

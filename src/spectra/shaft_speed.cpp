@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -48,16 +49,33 @@ ArrayXd lines_db(const ArrayXd& power, double bin_hz, double given_hz, double hi
   return (decibels - running_median(decibels, 2 * half + 1)).max(0).min(highest_db);
 }
 
-/// Returns the mean of the lines at the harmonics of each speed.
-ArrayXd comb(const ArrayXd& lines, double bin_hz, const ArrayXd& speeds_hz, int count) {
-  ArrayXd sums = ArrayXd::Zero(speeds_hz.size());
-  for (Index i = 0; i < sums.size(); ++i) {
-    for (int n = 1; n <= count; ++n) {
-      const Index bin = std::lround(n * speeds_hz[i] / bin_hz);
-      sums[i] += lines[std::min(bin, lines.size() - 1)];
-    }
+/// Returns how far the harmonics of one speed stand out: the mean of their lines, without the
+/// multiples of that prime which leave the least.
+double comb(const ArrayXd& lines, double harmonic_bins, int count) {
+  constexpr std::array primes{2, 3, 5, 7, 11, 13};
+  ArrayXd heights(count);
+  for (int n = 1; n <= count; ++n) {
+    const Index bin = std::lround(n * harmonic_bins);
+    heights[n - 1] = lines[std::min(bin, lines.size() - 1)];
   }
-  return sums / count;
+  double least = heights.mean();
+  for (const int prime : primes) {
+    double sum = 0;
+    int others = 0;
+    for (int n = 1; n <= count; ++n) {
+      if (n % prime == 0) continue;
+      sum += heights[n - 1];
+      ++others;
+    }
+    least = std::min(least, sum / others);
+  }
+  return least;
+}
+
+ArrayXd comb(const ArrayXd& lines, double bin_hz, const ArrayXd& speeds_hz, int count) {
+  ArrayXd combs(speeds_hz.size());
+  for (Index i = 0; i < combs.size(); ++i) combs[i] = comb(lines, speeds_hz[i] / bin_hz, count);
+  return combs;
 }
 
 /// Returns the values minus their mean, over their standard deviation; zeros if all are equal.

@@ -274,9 +274,10 @@ TEST(Warnings, NameAnImplausibleLevel) {
 TEST(Warnings, NameTheSpeedThatTheShaftShows) {
   Found found;
   found.check.records[0].shaft = spectra::ShaftSpeed{1797 * 1.009, 9};
-  found.check.records[1].shaft = spectra::ShaftSpeed{1797 * 1.055, 2};
-  found.check.records[2].shaft = spectra::ShaftSpeed{1797 * 1.055, 1.9};
-  found.check.records[3].shaft = spectra::ShaftSpeed{1797 * 0.97, 2};
+  found.check.records[1].shaft = spectra::ShaftSpeed{1797 * 1.055, 2.5};
+  found.check.records[2].shaft = spectra::ShaftSpeed{1797 * 1.055, 2.4};
+  found.check.records[3].shaft = spectra::ShaftSpeed{1797 * 0.97, 2.5};
+  Found::set(found.line(3, 2), 0);  // a line that such a speed hides
   EXPECT_THAT(
       warnings_of(found.description, found.check),
       ElementsAre(HasSubstr("outer (outer.csv, variable 2): the shaft seems to turn at 1896 rpm, "

@@ -302,8 +302,9 @@ TEST_F(Classify, NeedsOneSourceOfRecordings) {
 TEST_F(Classify, RefusesASignalThatDoesNotFitAndNamesTheRemedy) {
   expect_refused(with(classify(), "--sample-rate-hz", "8000"), 65,
                  {"recording.csv: is sampled at 8000 Hz", "at that rate or a higher one"});
-  expect_refused(with(classify(), "--speed-rpm", "900"), 65,
-                 {"recording.csv: was recorded at 900 rpm", "trained at 1797 rpm", "5 %"});
+  expect_refused(
+      with(classify(), "--speed-rpm", "900"), 65,
+      {"recording.csv: was recorded at 900 rpm", "trained at 1797 rpm", "0.95 to 1.05 times"});
   expect_refused(
       with(classify(), "--sample-rate-hz", "48000"), 65,
       {"recording.csv: has 256 samples at 12000 Hz", "has 1024", "make a longer recording"});
