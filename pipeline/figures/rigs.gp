@@ -3,7 +3,7 @@
 # others, the best other method in the mean, and the best classifier of `none` without training; grey: all others.
 # rows by: part
 # height: 146 + 300 * panels(words(words_part), 2)
-edge_left = 56; edge_right = 16; edge_top = 84; edge_bottom = 62; gap_x = 24; gap_y = 72
+edge_left = 64; edge_right = 16; edge_top = 84; edge_bottom = 62; gap_x = 24; gap_y = 72
 
 parts = ""
 do for [p in words_part] {
