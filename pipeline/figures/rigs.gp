@@ -1,4 +1,4 @@
-# Draws rigs.csv, the joined tables of `make transfer` (transfer.gp) behind a column `part`, the group: a panel for each
+# Draws a table, rigs.csv: the joined tables of `make transfer` (transfer.gp) behind a column `part`, the group: a panel for each
 # group that tests another speed, accuracy by the ratio of speeds. Coloured: the method that is subtracted from the
 # others, the best other method in the mean, and the best classifier of `none` without training; grey: all others.
 # rows by: part
