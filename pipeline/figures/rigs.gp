@@ -1,6 +1,6 @@
-# Draws a table, rigs.csv: the joined tables of `make transfer` (transfer.gp) behind a column `part`, the group: a panel for each
-# group that tests another speed, accuracy by the ratio of speeds. Coloured: the method that is subtracted from the
-# others, the best other method in the mean, and the best classifier of `none` without training; grey: all others.
+# Draws a table, rigs.csv: the joined tables of `make transfer` (transfer.gp) behind a column `part`, the group. A panel
+# for each group that tests another speed, accuracy by the ratio of speeds. Coloured: the method that is subtracted from
+# the others, the best other method in the mean, and the best classifier of `none` without training; grey: all others.
 # rows by: part
 # height: 146 + 300 * panels(words(words_part), 2)
 edge_left = 64; edge_right = 16; edge_top = 84; edge_bottom = 62; gap_x = 24; gap_y = 72

@@ -156,13 +156,14 @@ void set_speeds(const TomlTable& root, const std::vector<RecordSource>& records,
                                         "a condition may differ by 10 %",
                                         condition.name, least, largest));
     }
-    condition.shaft_speed_rpm = mean_speed_rpm(records, condition.name);
+    condition.shaft_speed_rpm = mean_speed_of_records_rpm(records, condition.name);
   }
 }
 
 }  // namespace
 
-double mean_speed_rpm(const std::vector<RecordSource>& records, const std::string& condition) {
+double mean_speed_of_records_rpm(const std::vector<RecordSource>& records,
+                                 const std::string& condition) {
   double sum = 0;
   double count = 0;
   for (const RecordSource& record : records) {

@@ -40,6 +40,7 @@ std::vector<Condition> read_described_conditions(TomlTable& root, const DatasetI
                                                  bool any_known);
 
 /// Returns the mean speed of the records of a condition, which must have some.
-double mean_speed_rpm(const std::vector<RecordSource>& records, const std::string& condition);
+double mean_speed_of_records_rpm(const std::vector<RecordSource>& records,
+                                 const std::string& condition);
 
 }  // namespace piae::signal

@@ -40,7 +40,7 @@ EstimatedSpeeds use_speeds_of_signals(Description& description,
     source.shaft_speed_rpm = shaft->rpm;
   }
   for (Condition& condition : description.info.conditions) {
-    condition.shaft_speed_rpm = mean_speed_rpm(description.records, condition.name);
+    condition.shaft_speed_rpm = mean_speed_of_records_rpm(description.records, condition.name);
   }
   return speeds;
 }

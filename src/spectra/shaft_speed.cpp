@@ -88,7 +88,7 @@ ArrayXd standardised(const ArrayXd& values) {
 ArrayXd power_of(const Eigen::RowVectorXd& signal) { return mean_power_spectrum(Windows(signal)); }
 
 /// Returns the squared envelope of the whitened signal.
-Eigen::RowVectorXd squared_envelope(const Eigen::RowVectorXd& signal, double rate_hz) {
+Eigen::RowVectorXd whole_band_envelope(const Eigen::RowVectorXd& signal, double rate_hz) {
   const Eigen::ArrayXcd whitened = whitened_spectrum(signal, rate_hz);
   std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(signal.size()));
   std::vector<std::complex<double>> analytic(spectrum.size());
@@ -137,7 +137,7 @@ std::optional<ShaftSpeed> estimate_shaft_speed(std::span<const double> signal, d
         comb(lines_db(power_of(of), bin_hz, given_hz, highest_hz), bin_hz, speeds_hz, used));
   };
   return best_of(speeds_hz, combed(start, harmonics) +
-                                combed(squared_envelope(start, rate_hz), envelope_harmonics));
+                                combed(whole_band_envelope(start, rate_hz), envelope_harmonics));
 }
 
 }  // namespace piae::spectra
