@@ -45,6 +45,6 @@ do for [i = 1:count] {
        data using (is_shown(5) ? x_of(strcol(5)) : NaN):(x_of(strcol(4))):(sprintf("%.0f", $7)): \
          ($7 > 55 ? 0xFFFFFF : 0x000000) \
          with labels center font number_font textcolor rgb variable
-  eval beside_done
+  eval headings_done
 }
 unset multiplot

@@ -40,7 +40,7 @@ do for [i = 1:count] {
          with lines linewidth 0.8 linecolor rgb (numbers ? colour(n) : 0xFF000000), \
        for [n = 1:ratios] data using (is("mean") ? $2 + off(n) : NaN):7:(valid(8) ? $8 : $7):(valid(9) ? $9 : $7) \
          with yerrorbars pointtype mark(n) pointsize 0.7 linewidth 1.6 linecolor rgb colour(n)
-  eval beside_done
+  eval headings_done
 }
 if (ratios > 1) {
   eval key_row

@@ -30,6 +30,6 @@ do for [i = 1:count] {
   plot "+" using 1:1 with lines dashtype 2 linecolor rgb 0x777777, \
        data using (is_own(0) ? ($3 + $4) / 2 / unit : NaN):($7 / unit):($3 / unit):($4 / unit):($6 / unit):($8 / unit) \
          with xyerrorbars pointtype 7 pointsize 0.5 linewidth 1.1 linecolor rgb colour(1)
-  eval beside_done
+  eval headings_done
 }
 unset multiplot

@@ -30,6 +30,6 @@ do for [i = 1:count] {
          with points pointtype 7 pointsize 0.4 linecolor rgb dots(tint_of(i)), \
        data using (is("mean") ? $7 : NaN):(own_row(0)):($2 == 1 ? ceiling_colour : colour(tint_of(i))) \
          with points pointtype mark_of(i) pointsize 0.7 linecolor rgb variable
-  eval beside_done
+  eval headings_done
 }
 unset multiplot

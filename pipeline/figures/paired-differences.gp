@@ -49,7 +49,7 @@ do for [i = 1:count] {
        data using (is("mean") ? 0.985 : NaN):(own_row(0)):(p_text(strcol(10))): \
          (is_small(strcol(10)) ? 0x000000 : 0x777777) \
          axes x2y1 with labels right font font_11 textcolor rgb variable
-  eval beside_done
+  eval headings_done
   unset label 4
 }
 unset multiplot

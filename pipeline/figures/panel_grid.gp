@@ -18,7 +18,7 @@ is_lowest(i)   = i + columns > count
 set label 1 at screen 0.5, 1 - 16.0 / height center noenhanced
 set label 2 at screen 0.5, 14.0 / height center
 set label 3 at screen 0.018, 0.5 rotate by 90 center
-beside_done = "unset label 1; unset label 2; unset label 3"
+headings_done = "unset label 1; unset label 2; unset label 3"
 key_row  = margins(0.05, 0.95, 1 - 24.0 / height, 1 - 48.0 / height). \
   "unset border; unset tics; unset title; unset label; unset arrow; unset object; ". \
   "set xrange [0:1]; set yrange [0:1]; set key at screen 0.5, 1 - 36.0 / height center horizontal maxrows 1"

@@ -32,7 +32,7 @@ do for [i = 1:count] {
          with points pointtype 7 pointsize 0.3 linecolor rgb dots(n), \
        for [n = 1:2] data using (of_mean(n)):(own_row(off(n))):(valid(7) ? $7 : $6):(valid(8) ? $8 : $6) \
          with xerrorbars pointtype mark_of(n) pointsize 0.6 linewidth 1.6 linecolor rgb colour(n)
-  eval beside_done
+  eval headings_done
 }
 eval key_row
 plot for [n = 1:2] NaN with linespoints pointtype mark_of(n) pointsize 0.8 linewidth 1.2 linecolor rgb colour(n) \

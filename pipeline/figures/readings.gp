@@ -64,6 +64,6 @@ do for [i = 1:count] {
          with xerrorbars pointtype 7 pointsize 0.5 linewidth 1.4 linecolor rgb colour(1), \
        data using (is(panel) && far(panel, $6) ? least_r2 : NaN):(own_row(0)) \
          with points pointtype 9 pointsize 0.6 linecolor rgb colour(2)
-  eval beside_done
+  eval headings_done
 }
 unset multiplot

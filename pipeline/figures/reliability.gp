@@ -29,7 +29,7 @@ do for [i = 1:count] {
          linecolor rgb 0xCCCCCC, \
        data using (is_bin(1) ? $9 : NaN):10 with linespoints pointtype 7 pointsize 0.5 linewidth 1.2 \
          linecolor rgb colour(1)
-  eval beside_done
+  eval headings_done
 }
 eval key_row
 plot NaN with linespoints pointtype 7 pointsize 0.6 linewidth 1.2 linecolor rgb colour(1) title "accuracy", \

@@ -58,7 +58,7 @@ do for [i = 1:count] {
          linecolor rgb colour(1) title named(best, best_by, best_mean).(best eq "" ? "" : ", best other method"), \
        rows using (recorded(against) ? spot(3) : NaN):11:(end(13)):(end(14)) with yerrorbars pointtype mark(2) pointsize 0.9 linewidth 1.5 \
          linecolor rgb colour(2) title named(against, against_by, own_mean)
-  eval beside_done
+  eval headings_done
   unset label 4
 }
 unset multiplot

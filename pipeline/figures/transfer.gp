@@ -125,7 +125,7 @@ plot for [m in joined(ceilings)] data using (of(m) && is_mean(9) ? plain(1) : Na
        with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)), \
      for [m in methods] data using (of(m) && is_mean(9) ? at(m) : NaN):10:(end(12)):(end(13)) \
        with yerrorbars pointtype symbol(m) pointsize large(m) linewidth thick(m) linecolor rgb tint(m)
-eval beside_done
+eval headings_done
 unset label 4
 eval margins(left_of_mean / 960, right_of_mean / 960, 1 - 1.0 * edge_top / height, 1.0 * edge_bottom / height)
 set xrange [-0.6:0.6]

@@ -59,7 +59,7 @@ do for [i = 1:count] {
          with xerrorbars pointtype 7 pointsize 0.6 linewidth 1.6 linecolor rgb variable, \
        data using (is("mean") ? 0.985 : NaN):(own_row(0)):(sprintf("%+.1f", $6)):(tint($6)) \
          axes x2y1 with labels right font font_11 textcolor rgb variable
-  eval beside_done
+  eval headings_done
   unset label 4
 }
 unset multiplot
