@@ -37,25 +37,27 @@ Words that_can_run(const Words& methods, const Dataset& dataset) {
   return able;
 }
 
-std::string unsaid_line(const Dataset& dataset) {
+std::string what_is_unsaid(const Dataset& dataset) {
   Words unsaid;
   for (const augment::Needs need : dataset.unsaid) unsaid.emplace_back(in_words(need));
-  return fmt::format("the description of {} lacks what they need: {}", dataset.name,
-                     fmt::join(unsaid, " and "));
+  return fmt::format("lacks what they need: {}", fmt::join(unsaid, " and "));
 }
 
 /// Requires that every named method can run. Leaves out the others, with a notice.
-Words able_methods(const Words& methods, const Dataset& dataset, bool named, Words& notices) {
+Words able_methods(const Words& methods, const Dataset& dataset, bool named, Notices& notices) {
   Words able = that_can_run(methods, dataset);
   if (able.size() == methods.size()) return able;
   Words unable;
   std::ranges::copy_if(methods, std::back_inserter(unable),
                        [&](const std::string& method) { return !has(able, method); });
   if (named) {
-    throw Error(Exit::usage, fmt::format("METHODS: {} cannot be run; {}; choose METHODS=\"{}\"",
-                                         spaced(unable), unsaid_line(dataset), spaced(able)));
+    throw Error(
+        Exit::usage,
+        fmt::format("METHODS: {} cannot be run; the description of {} {}; choose METHODS=\"{}\"",
+                    spaced(unable), dataset.name, what_is_unsaid(dataset), spaced(able)));
   }
-  notices.push_back(fmt::format("left out: {}; {}", spaced(unable), unsaid_line(dataset)));
+  notices.push_back({dataset.name, fmt::format("left out: {}; the description {}", spaced(unable),
+                                               what_is_unsaid(dataset))});
   return able;
 }
 
@@ -109,6 +111,19 @@ std::string left_out_line(const Words& methods, const Words& classifiers, const 
 
 }  // namespace
 
+Words lines_of(const Notices& notices) {
+  Words lines;
+  Words texts;
+  for (const Notice& notice : notices) {
+    if (has(texts, notice.text)) continue;
+    texts.push_back(notice.text);
+    const auto others = std::ranges::count(notices, notice.text, &Notice::text) - 1;
+    const std::string more = others > 0 ? fmt::format(" and {} more", others) : "";
+    lines.push_back(fmt::format("{}{}: {}", notice.dataset, more, notice.text));
+  }
+  return lines;
+}
+
 Words with_ratios(const Words& methods, const Words& ratios) {
   Words kept;
   std::ranges::copy_if(methods, std::back_inserter(kept), [&](const std::string& method) {
@@ -119,7 +134,7 @@ Words with_ratios(const Words& methods, const Words& ratios) {
   return kept;
 }
 
-Part part_of(const Dataset& dataset, const RequestedForAll& requested, Words& notices) {
+Part part_of(const Dataset& dataset, const RequestedForAll& requested, Notices& notices) {
   const Words methods =
       able_methods(requested.methods, dataset, requested.methods_are_named, notices);
   const std::string reasons = left_out_line(methods, requested.classifiers, dataset);
@@ -135,7 +150,7 @@ Part part_of(const Dataset& dataset, const RequestedForAll& requested, Words& no
   } catch (const Error&) {
     refuse_nothing_left(dataset, reasons);
   }
-  if (!reasons.empty()) notices.push_back(dataset.name + ": " + reasons);
+  if (!reasons.empty()) notices.push_back({dataset.name, reasons});
   std::ranges::copy_if(methods, std::back_inserter(part.methods), [&](const std::string& method) {
     return std::ranges::count(part.cells, method, &run::Combination::method) > 0;
   });

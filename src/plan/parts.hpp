@@ -23,11 +23,20 @@ struct RequestedForAll {
   bool methods_are_named = false;  ///< every method must be possible
 };
 
+/// What is left out of one data set, and why.
+struct Notice {
+  std::string dataset;
+  std::string text;
+};
+using Notices = std::vector<Notice>;
+
+/// Returns a line for each text, with the first of its data sets and the number of the others.
+std::vector<std::string> lines_of(const Notices& notices);
+
 /// Returns the requested cells that a data set can have. Adds to `notices` what is left out, and
 /// why. Throws Error(usage) if nothing is left, or if a named method needs more than the
 /// description contains.
-Part part_of(const Dataset& dataset, const RequestedForAll& requested,
-             std::vector<std::string>& notices);
+Part part_of(const Dataset& dataset, const RequestedForAll& requested, Notices& notices);
 
 /// Returns the methods that have cells at any of these ratios.
 std::vector<std::string> with_ratios(const std::vector<std::string>& methods,

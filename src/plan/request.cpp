@@ -199,11 +199,13 @@ Choice choose(const Experiment& experiment, const Request& request) {
                                   .classifiers = choice.classifiers,
                                   .methods_are_named = request.methods.has_value()};
   if (requested.methods.empty() && !choice.only_looks) refuse_no_cells(choice);
+  Notices notices;
   for (const std::string& name : lists.datasets) {
     const Dataset& dataset = *experiment.find(name);
     choice.parts.push_back(choice.only_looks ? Part{.dataset = dataset, .cells = {}, .methods = {}}
-                                             : part_of(dataset, requested, choice.notices));
+                                             : part_of(dataset, requested, notices));
   }
+  choice.notices = lines_of(notices);
   return choice;
 }
 

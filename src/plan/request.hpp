@@ -48,7 +48,7 @@ struct Choice {
       given;  ///< --methods, --ratios, ... as given, for a run that is only viewed
   /// True if tables are made from the existing cells although others are missing.
   bool with_missing = false;
-  /// Lines that name what is left out, and why: one for each data set, for people.
+  /// Lines that name what is left out, and why, for people (parts.hpp).
   std::vector<std::string> notices;
 
   [[nodiscard]] bool has_goal(const std::string& name) const;

@@ -11,6 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
+using testing::StartsWith;
 
 class PartsOfARequest : public Requests {};
 
@@ -49,7 +50,12 @@ TEST_F(PartsOfARequest, RefuseAMethodIfTheDescriptionLacksKeys) {
   request_.methods = std::nullopt;
   const Choice choice = choose(experiment_, request_);
   ASSERT_THAT(choice.notices, SizeIs(1));
-  EXPECT_THAT(choice.notices.front(), HasSubstr("left out: "));
+  EXPECT_THAT(choice.notices.front(), StartsWith("real: left out: dynamics "));
+}
+
+TEST(LinesOfNotices, NameEachTextOnce) {
+  EXPECT_THAT(lines_of({{"a", "no size"}, {"b", "no bearing"}, {"c", "no size"}, {"d", "no size"}}),
+              ElementsAre("a and 2 more: no size", "b: no bearing"));
 }
 
 }  // namespace

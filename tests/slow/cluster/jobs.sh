@@ -37,7 +37,12 @@ alone() { # target of make, variables
 }
 id_of() { awk -v kind="$1" '$1 == kind { print $2 }' results/t/.jobs/*/submitted | tail -n 1; }
 nothing_queued() { [[ -z $(squeue --noheader) ]]; }
-until_done() { until_true "all jobs have ended" nothing_queued; }
+until_done() {
+  until_true "all jobs have ended" nothing_queued || {
+    tail -n 20 results/t/.jobs/*/*.log "$slurm_folder"/slurmd-*.log >&2
+    return 1
+  }
+}
 in_log() { grep -qE -- "$2" results/t/.jobs/*/"$1"; }
 # Prints artefacts and tables, without logs and anything that depends on time or place.
 bytes_of() {

@@ -163,7 +163,7 @@ test_a_fault_of_another_part_of_the_machine() {
   done
   # Without a choice of methods, the skipped ones are named.
   expect_line "$(make -n cells BIN=bin RUN=new DATASETS=rig SEEDS=0 DATA_DIR=recordings 2>&1)" \
-    '^left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description of rig'
+    '^rig: left out: dynamics piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-phase; the description lacks '
   bin/diagnose --test results/new/rig/seed0/A.h5 --normal results/new/rig/seed0/B.h5 --known results/new/rig/seed0/C.h5 \
     --ratio 100to1 --classifier envelope-rule --seed 0 --output rule.h5 >messages 2>&1 && fail "a rule named it"
   expect_line "$(<messages)" "has defect 'other', which does not have a fault line"
