@@ -111,7 +111,7 @@ std::string left_out_line(const Words& methods, const Words& classifiers, const 
 
 }  // namespace
 
-Words lines_of(const Notices& notices) {
+Words notice_lines(const Notices& notices) {
   Words lines;
   Words texts;
   for (const Notice& notice : notices) {

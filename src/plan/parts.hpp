@@ -23,7 +23,7 @@ struct RequestedForAll {
   bool methods_are_named = false;  ///< every method must be possible
 };
 
-/// What is left out of one data set, and why.
+/// Methods or classifiers left out of one data set, and why.
 struct Notice {
   std::string dataset;
   std::string text;
@@ -31,7 +31,7 @@ struct Notice {
 using Notices = std::vector<Notice>;
 
 /// Returns a line for each text, with the first of its data sets and the number of the others.
-std::vector<std::string> lines_of(const Notices& notices);
+std::vector<std::string> notice_lines(const Notices& notices);
 
 /// Returns the requested cells that a data set can have. Adds to `notices` what is left out, and
 /// why. Throws Error(usage) if nothing is left, or if a named method needs more than the

@@ -205,7 +205,7 @@ Choice choose(const Experiment& experiment, const Request& request) {
     choice.parts.push_back(choice.only_looks ? Part{.dataset = dataset, .cells = {}, .methods = {}}
                                              : part_of(dataset, requested, notices));
   }
-  choice.notices = lines_of(notices);
+  choice.notices = notice_lines(notices);
   return choice;
 }
 

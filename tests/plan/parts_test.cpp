@@ -54,8 +54,9 @@ TEST_F(PartsOfARequest, RefuseAMethodIfTheDescriptionLacksKeys) {
 }
 
 TEST(LinesOfNotices, NameEachTextOnce) {
-  EXPECT_THAT(lines_of({{"a", "no size"}, {"b", "no bearing"}, {"c", "no size"}, {"d", "no size"}}),
-              ElementsAre("a and 2 more: no size", "b: no bearing"));
+  EXPECT_THAT(
+      notice_lines({{"a", "no size"}, {"b", "no bearing"}, {"c", "no size"}, {"d", "no size"}}),
+      ElementsAre("a and 2 more: no size", "b: no bearing"));
 }
 
 }  // namespace
