@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <iostream>
+#include <optional>
 
 #include "cli/progress.hpp"
 #include "cli/run_options.hpp"
@@ -23,7 +24,8 @@ int main(int argc, char** argv) {
       "unit standard deviation. WDCNN keeps the model of the last epoch; the test windows never "
       "select a model. nearest is not trained: it predicts the class of the nearest of these "
       "windows. envelope-rule and exclusion-rule compare fault lines and spectra with the "
-      "healthy windows only. symptom-net and prototypes are small networks with settings of their "
+      "healthy windows only. any-bearing does the same with a network that teach made for all "
+      "machines. symptom-net and prototypes are small networks with settings of their "
       "own.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
@@ -34,9 +36,14 @@ int main(int argc, char** argv) {
   bool reproducible = false;
   bool keep_features = false;
   diagnosis::InputFiles files;
+  fs::path network_file;
   fs::path output;
   fs::path classifier_file;
   bind(stage, files);
+  stage
+      .input_file("--network", network_file,
+                  "network for all machines, any-bearing.h5 of teach; only for any-bearing")
+      .required(false);
   stage.output_file("--output", output, "predictions and training curves, diagnosis.h5")
       .required(false);
   stage
@@ -70,11 +77,14 @@ int main(int argc, char** argv) {
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
     const diagnosis::MakeWdcnnBackend make_backend =
         classifier.represent != nullptr ? seam::wdcnn_backend(run.compute, argv) : nullptr;
+    std::optional<artefact::Reader> network;
+    if (!network_file.empty()) network = stage.open("network", network_file, "any-bearing");
     diagnosis::Diagnosis diagnosis({.classifier = classifier,
                                     .ratio = ratio,
                                     .seed = run.seed,
                                     .options = options,
                                     .make_backend = make_backend,
+                                    .network = network ? &*network : nullptr,
                                     .keep_features = keep_features},
                                    diagnosis::read_inputs(stage, files), files.known.string());
     cli::Progress progress("diagnose", "epochs", diagnosis.epochs(!classifier_file.empty()));

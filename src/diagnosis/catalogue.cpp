@@ -4,6 +4,7 @@
 
 #include "base/comma_list.hpp"
 #include "base/error.hpp"
+#include "diagnosis/any_bearing.hpp"
 #include "diagnosis/line_rules.hpp"
 #include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/prototypes.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr Classifier known_classifiers[] = {
     wdcnn,          wdcnn_spectrum, wdcnn_envelope, wdcnn_spectra,  nearest,    envelope_rule,
-    exclusion_rule, symptom_net,    wdcnn_orders,   nearest_orders, prototypes,
+    exclusion_rule, symptom_net,    wdcnn_orders,   nearest_orders, prototypes, any_bearing,
 };
 
 }  // namespace

@@ -70,7 +70,7 @@ struct Classifier {
   const char* name;   ///< the name in CLASSIFIERS, in folders and in tables
   const char* what;   ///< short description
   const char* input;  ///< input made from a window
-  /// Makes the input of a WDCNN; null for other classifiers, which have `learn` and `read` instead.
+  /// Makes the input of a WDCNN; null for other classifiers, which have `learn` or `fit`, and `read`.
   Represent represent = nullptr;
   /// True if it learns from healthy windows alone. It does not need fault windows, known or
   /// generated, and runs with `none` only.
@@ -86,6 +86,10 @@ struct Classifier {
   /// Reads a trained classifier, written for windows of that data set with `length` samples each.
   std::unique_ptr<Trained> (*read)(const artefact::Reader& reader, const signal::DatasetInfo& info,
                                    std::size_t length) = nullptr;
+  /// Fits a network that was taught before, for all machines, to one machine; null for classifiers
+  /// that learn. Throws as any_bearing.hpp says.
+  std::unique_ptr<Trained> (*fit)(const artefact::Reader& network,
+                                  const signal::WindowSet& normal) = nullptr;
   std::int64_t own_epochs = 0;  ///< training epochs; 0 for WDCNN and untrained classifiers
 
   [[nodiscard]] bool trains() const { return represent != nullptr || own_epochs > 0; }

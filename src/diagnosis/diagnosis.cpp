@@ -64,7 +64,7 @@ std::size_t Diagnosis::epochs(bool is_kept) const {
 
 void Diagnosis::learn(const EpochDone& epoch_done) {
   learned_ = diagnosis::learn(task_.classifier, inputs_.normal, training_set_, task_.options,
-                              stream_, task_.make_backend, epoch_done);
+                              stream_, task_.make_backend, epoch_done, task_.network);
 }
 
 std::optional<double> Diagnosis::windows_per_second() const {
@@ -136,7 +136,8 @@ KeptClassifier Diagnosis::keep(const EpochDone& epoch_done) {
                          {.options = task_.options,
                           .stream = stream_,
                           .make_backend = task_.make_backend,
-                          .epoch_done = epoch_done},
+                          .epoch_done = epoch_done,
+                          .network = task_.network},
                          {.method = inputs_.method,
                           .ratio = task_.ratio.name,
                           .generated_per_class = task_.ratio.generated_per_class,

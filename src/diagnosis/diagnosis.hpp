@@ -23,6 +23,7 @@ struct Task {
   std::int64_t seed = 0;  ///< part of the random stream's name, with data set and ratio
   WdcnnOptions options = {};
   MakeWdcnnBackend make_backend = {};  ///< for a WDCNN
+  const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
   bool keep_features = false;          ///< true if record() includes the output of the last layers
 };
 

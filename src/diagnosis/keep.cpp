@@ -23,7 +23,7 @@ Calibration calibrated(const Classifier& classifier, const WindowSet& training,
       training, folds, [&](const WindowSet& normal, const WindowSet& kept, std::int32_t fold) {
         const Stream own = relearn.stream.child("left-out" + std::to_string(fold));
         return learn(classifier, normal, kept, relearn.options, own, relearn.make_backend,
-                     relearn.epoch_done)
+                     relearn.epoch_done, relearn.network)
             .trained;
       });
   return {.temperature = scoring::best_temperature(left_out.logits, left_out.labels,

@@ -16,6 +16,7 @@ struct Relearn {
   const Stream& stream;  ///< stream of the classifier; fold k draws from its child "left-out<k>"
   const MakeWdcnnBackend& make_backend;
   EpochDone epoch_done;  ///< called after each epoch of these trainings
+  const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
 };
 
 /// Returns how often keep() retrains the classifier: once for each fold, or 0 if folds are not

@@ -1,9 +1,13 @@
 #include "diagnosis/learn.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <string>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/range.hpp"
+#include "diagnosis/any_bearing.hpp"
 #include "diagnosis/wdcnn.hpp"
 #include "diagnosis/wdcnn_evaluation.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
@@ -37,15 +41,26 @@ class WdcnnOfWindows final : public Trained {
   Represent represent_;
 };
 
+Learned fitted(const Classifier& classifier, const artefact::Reader* network,
+               const signal::WindowSet& normal) {
+  if (network == nullptr) {
+    throw Error(Exit::usage, fmt::format("--classifier {} needs --network, such as {}",
+                                         classifier.name, any_bearing_file));
+  }
+  return {.trained = classifier.fit(*network, normal), .training = {}};
+}
+
 }  // namespace
 
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
               const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
-              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done) {
+              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done,
+              const artefact::Reader* network) {
   const std::string name = classifier.name;
   // Keep the original stream name of the paper's classifier so that stored results stay
   // reproducible.
   const Stream own = name == scoring::paper_classifier ? stream : stream.child(name);
+  if (classifier.fit != nullptr) return fitted(classifier, network, normal);
   if (classifier.learn != nullptr) return classifier.learn(normal, training, own, epoch_done);
   LabelledWindows shown = classifier.represent(training, "training set");
   const std::size_t length = shown.length;

@@ -11,12 +11,13 @@ namespace piae::diagnosis {
 
 /// Trains a classifier on the training windows. `normal` is B as `split` made it, because
 /// `training` loses the windows' positions once it holds generated windows. `options` and
-/// `make_backend` are for WDCNN. Random numbers come from `stream` for the paper's classifier, and
+/// `make_backend` are for WDCNN; `network` is for a classifier that fits one, else null. Random numbers come from `stream` for the paper's classifier, and
 /// from the stream's child of the classifier's name for others. Throws as train_wdcnn(), Nearest,
-/// TrainedRule and train_symptom_net() do.
+/// TrainedRule, train_symptom_net() and fit_any_bearing() do, and Error(usage) without a network.
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
               const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
-              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done = {});
+              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done = {},
+              const artefact::Reader* network = nullptr);
 
 /// Reads what Trained::write() wrote for windows of that data set, `length` samples each. Throws
 /// artefact::Refusal for other content.

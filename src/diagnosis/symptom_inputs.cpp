@@ -1,6 +1,7 @@
 #include "diagnosis/symptom_inputs.hpp"
 
 #include <string>
+#include <utility>
 
 #include "diagnosis/standardise.hpp"
 
@@ -11,8 +12,13 @@ namespace {
 using Eigen::Index;
 using symptoms::Measures;
 
-constexpr double farthest = 4;            // limit of a symptom, in standard deviations
-constexpr double least_deviation = 1e-6;  // if all training windows are the same
+constexpr const char* prewhitening_name = "prewhitening";
+
+/// Classifiers kept before this attribute existed did not prewhiten.
+double read_prewhitening(const artefact::Reader& reader, const std::string& group) {
+  if (!reader.has_attribute(group, prewhitening_name)) return 0;
+  return reader.real(group, prewhitening_name, symptoms::possible_prewhitening);
+}
 
 signal::WindowSet fault_windows(const signal::WindowSet& training) {
   const Label healthy = training.info.healthy_label();
@@ -48,7 +54,27 @@ SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::Window
 
 SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
                            const std::vector<Measures>& of_normal)
-    : baselines_(normal, of_normal), labels_(normal.labels) {
+    : baselines_(normal, of_normal),
+      labels_(normal.labels),
+      training_(training_rows(normal, training, of_normal)),
+      standard_(training_) {
+  training_ = standard_.scaled(training_);
+}
+
+SymptomScale::SymptomScale(const signal::WindowSet& normal, SymptomStandard standard,
+                           double prewhitening)
+    : prewhitening_(prewhitening),
+      baselines_(normal, symptoms::measure(normal, "healthy windows", prewhitening)),
+      standard_(std::move(standard)) {}
+
+SymptomScale::SymptomScale(const artefact::Reader& reader, const std::string& group, double rate_hz)
+    : prewhitening_(read_prewhitening(reader, group)),
+      baselines_(symptoms::Baselines::read(reader, group, rate_hz)),
+      standard_(reader, group) {}
+
+SymptomRows SymptomScale::training_rows(const signal::WindowSet& normal,
+                                        const signal::WindowSet& training,
+                                        const std::vector<Measures>& of_normal) {
   const signal::WindowSet faults = fault_windows(training);
   require_speeds(faults, "symptom-net");
   const SymptomRows healthy = symptom_rows(
@@ -59,53 +85,25 @@ SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::Window
   SymptomRows rows(healthy.rows() + faulty.rows(), SymptomRows::ColsAtCompileTime);
   rows << healthy, faulty;
   labels_.insert(labels_.end(), faults.labels.begin(), faults.labels.end());
-  mean_ = rows.colwise().mean();
-  deviation_ = ((rows.rowwise() - mean_).colwise().squaredNorm() / static_cast<double>(rows.rows()))
-                   .cwiseSqrt()
-                   .array() +
-               least_deviation;
-  training_ = scaled(rows);
-}
-
-SymptomScale::SymptomScale(const artefact::Reader& reader, const std::string& group, double rate_hz)
-    : baselines_(symptoms::Baselines::read(reader, group, rate_hz)) {
-  const auto read = [&](const char* name) {
-    const auto values =
-        reader.numbers<double>(group + "/" + name, {symptoms::number_of_symptoms}).values;
-    return Row(Eigen::Map<const Row>(values.data(), std::ssize(values)));
-  };
-  mean_ = read("mean");
-  deviation_ = read("deviation");
-  if (!(deviation_.minCoeff() > 0)) {
-    reader.refuse(group + "/deviation", "has a value that is not above 0");
-  }
+  return rows;
 }
 
 SymptomRows SymptomScale::raw_rows_of(const signal::WindowSet& windows, const std::string& what) {
-  const std::vector<Measures> measures = symptoms::measure(windows, what);
+  const std::vector<Measures> measures = symptoms::measure(windows, what, prewhitening_);
   return symptom_rows(windows, measures, baselines_,
                       [&](const symptoms::Baseline& baseline, std::size_t i) {
                         return baseline.novelty().of(measures[i].shape_db);
                       });
 }
 
-SymptomRows SymptomScale::scaled(const SymptomRows& rows) const {
-  return ((rows.rowwise() - mean_).array().rowwise() / deviation_.array())
-      .max(-farthest)
-      .min(farthest);
-}
-
 SymptomRows SymptomScale::rows_of(const signal::WindowSet& windows, const std::string& what) {
-  return scaled(raw_rows_of(windows, what));
+  return standard_.scaled(raw_rows_of(windows, what));
 }
 
 void SymptomScale::write(artefact::Writer& writer, const std::string& group) const {
   baselines_.write(writer, group);
-  writer.numbers(group + "/mean", std::span<const double>(mean_.data(), mean_.size()),
-                 {symptoms::number_of_symptoms});
-  writer.numbers(group + "/deviation",
-                 std::span<const double>(deviation_.data(), deviation_.size()),
-                 {symptoms::number_of_symptoms});
+  standard_.write(writer, group);
+  if (prewhitening_ > 0) writer.attribute(group, prewhitening_name, prewhitening_);
 }
 
 }  // namespace piae::diagnosis

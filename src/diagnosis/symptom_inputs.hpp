@@ -1,24 +1,19 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/label.hpp"
+#include "diagnosis/symptom_standard.hpp"
 #include "signal/window_set.hpp"
 #include "symptoms/baseline.hpp"
-#include "symptoms/symptoms.hpp"
 
 namespace piae::diagnosis {
 
-/// Symptoms as a network's input: a row for each window.
-using SymptomRows = Eigen::Matrix<double, Eigen::Dynamic,
-                                  static_cast<int>(symptoms::number_of_symptoms), Eigen::RowMajor>;
-
-/// Makes a row for each window: its symptoms, less their mean over the training windows, divided by
-/// their standard deviation there, clipped to -4 .. 4. Each window is measured at its own shaft
+/// Makes a row for each window: its symptoms against the healthy windows of its machine, scaled by
+/// those of the training windows (symptom_standard.hpp). Each window is measured at its own shaft
 /// speed.
 class SymptomScale {
  public:
@@ -28,6 +23,10 @@ class SymptomScale {
   /// (NaN, training_set.hpp), and as symptoms::measure() and symptoms::Baselines do.
   SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training);
 
+  /// Takes the standard of other machines, without training windows. Throws as symptoms::measure()
+  /// and symptoms::Baselines do.
+  SymptomScale(const signal::WindowSet& normal, SymptomStandard standard, double prewhitening);
+
   /// Return the rows and labels of the training windows, healthy ones first.
   [[nodiscard]] const SymptomRows& training() const { return training_; }
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
@@ -35,25 +34,25 @@ class SymptomScale {
   /// Returns the rows of any windows. `what` names the windows in errors.
   SymptomRows rows_of(const signal::WindowSet& windows, const std::string& what);
 
-  /// Writes all that rows_of() needs, below a group: what symptoms::Baselines writes, /mean and
-  /// /deviation.
+  /// Writes all that rows_of() needs, below a group: what symptoms::Baselines and SymptomStandard
+  /// write, and the attribute prewhitening unless it is 0.
   void write(artefact::Writer& writer, const std::string& group) const;
   /// Reads the scale of windows at this sample rate, without training windows. Throws
-  /// artefact::Refusal as symptoms::Baselines does, and for a deviation that is not above 0.
+  /// artefact::Refusal as symptoms::Baselines and SymptomStandard do.
   SymptomScale(const artefact::Reader& reader, const std::string& group, double rate_hz);
 
  private:
-  using Row = Eigen::RowVectorXd;
   SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
                const std::vector<symptoms::Measures>& of_normal);
   SymptomRows raw_rows_of(const signal::WindowSet& windows, const std::string& what);
-  [[nodiscard]] SymptomRows scaled(const SymptomRows& rows) const;
+  SymptomRows training_rows(const signal::WindowSet& normal, const signal::WindowSet& training,
+                            const std::vector<symptoms::Measures>& of_normal);
 
+  double prewhitening_ = 0;
   symptoms::Baselines baselines_;
-  SymptomRows training_;
   std::vector<Label> labels_;
-  Row mean_;
-  Row deviation_;
+  SymptomRows training_;
+  SymptomStandard standard_;
 };
 
 }  // namespace piae::diagnosis

@@ -6,19 +6,10 @@
 #include "diagnosis/classifier.hpp"
 #include "diagnosis/symptom_inputs.hpp"
 #include "diagnosis/symptom_network.hpp"
+#include "diagnosis/symptom_training.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
-
-/// Training settings of symptom-net. They matter little, because the network is small and its few
-/// inputs share one scale: dropout and noise gain half a point on hit-sm, weight decay nothing.
-struct SymptomTraining {
-  static constexpr std::int64_t epochs = 60;
-  static constexpr std::int64_t batch = 64;
-  static constexpr double learning_rate =
-      2e-3;                             ///< of Adam in epoch 1; falls as half a cosine to 0
-  static constexpr double noise = 0.1;  ///< added to the symptoms, in their standard deviations
-};
 
 /// The network symptom-net (symptom_network.hpp) with the scale of its symptoms.
 class SymptomNet final : public Trained {
@@ -29,16 +20,13 @@ class SymptomNet final : public Trained {
         network_(classes, SymptomTraining::batch, initial) {}
   SymptomNet(const artefact::Reader& reader, const signal::DatasetInfo& info);
 
-  /// Trains. Order, noise and dropout of epoch e, counted from 1, come from
-  /// stream.child("epoch<e>") and its children "noise" and "dropout".
+  /// Trains (symptom_training.hpp).
   Training train(const Stream& stream, const EpochDone& epoch_done);
 
   Outputs outputs(const signal::WindowSet& windows, const std::string& what) override;
   void write(artefact::Writer& writer) const override;
 
  private:
-  void run_epoch(std::int64_t epoch, const Stream& stream, Training& training);
-
   SymptomScale scale_;
   std::int64_t classes_;
   SymptomNetwork network_;

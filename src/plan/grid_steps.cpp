@@ -8,6 +8,8 @@
 #include "artefact/journal.hpp"
 #include "augment/catalogue.hpp"
 #include "base/sha256.hpp"
+#include "diagnosis/any_bearing.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "signal/record_files.hpp"
 
@@ -177,6 +179,9 @@ Step GridSteps::of_classifier(const Dataset& dataset, std::int64_t seed, const V
                       .classifier = classifier}};
   if (generates(variant.method)) {
     step.inputs.push_back(input("generated", of_seed + '/' + variant.folder + "/E.h5"));
+  }
+  if (diagnosis::the_classifier(classifier).fit != nullptr) {
+    step.inputs.push_back(input("network", diagnosis::any_bearing_file));
   }
   if (classifier != scoring::paper_classifier) step.options.emplace_back("classifier", classifier);
   return step;

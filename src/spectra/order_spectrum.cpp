@@ -24,6 +24,7 @@ constexpr Index least_floor_bins = 9;
 // them. A floor of at least this fraction of the mean power keeps these from looking like lines.
 constexpr double least_floor = 1e-4;
 constexpr double least_ratio = 1e-3;  // keeps the logarithm of a silent place finite
+constexpr double least_amplitude = 1e-12;  // of the largest; keeps silent bins silent
 
 /// Interpolates linearly between two numbers of an array; returns the last number beyond the end.
 double between(const Eigen::ArrayXd& values, double place) {
@@ -42,6 +43,11 @@ Eigen::RowVectorXd squared_envelope(const Eigen::ArrayXcd& whitened, const Eigen
   // spectra::inverse_fft, and stored results depend on them.
   Eigen::FFT<double>().inv(analytic, spectrum);
   return Eigen::Map<const Eigen::RowVectorXcd>(analytic.data(), length).cwiseAbs2();
+}
+
+void prewhiten(double power, Eigen::ArrayXcd& spectrum) {
+  const Eigen::ArrayXd amplitudes = spectrum.abs();
+  spectrum /= (amplitudes + least_amplitude * amplitudes.maxCoeff()).pow(power);
 }
 
 /// Returns how far the bins of an envelope spectrum stand above the floor. The floor is estimated
@@ -71,7 +77,7 @@ double OrderSpectrum::at(double order, double lowest, double highest) const {
 }
 
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
-                             double shaft_hz, double last) {
+                             double shaft_hz, double last, double prewhitening) {
   const Index length = window.size();
   const double coarse_hz = bank.rate_hz / static_cast<double>(length);
   const double bins_an_order = shaft_hz / coarse_hz;
@@ -81,7 +87,8 @@ OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank&
       padding * (static_cast<Index>((last + OrderSpectrum::step) * bins_an_order) + floor_bins) + 1,
       padding * length / 2 + 1);
 
-  const Eigen::ArrayXcd whitened = whitened_spectrum(window, bank.rate_hz);
+  Eigen::ArrayXcd whitened = whitened_spectrum(window, bank.rate_hz);
+  if (prewhitening > 0) prewhiten(prewhitening, whitened);
   const auto orders =
       static_cast<Index>(std::ceil((last - OrderSpectrum::first) / OrderSpectrum::step)) + 2;
   OrderSpectrum spectrum{Eigen::ArrayXd::Zero(orders)};

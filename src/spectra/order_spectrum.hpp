@@ -37,7 +37,12 @@ struct OrderSpectrum {
 /// times the floor has R = 1. Lines do not occur above the width of a band (1200 Hz, or less near
 /// half the sample rate): for a fast shaft the higher harmonics are low, in healthy and faulty
 /// windows alike.
+///
+/// `prewhitening` from 0 to 1 divides X by that power of its own amplitude, bin by bin. 1 is cepstral
+/// prewhitening (Borghesani, Pennacchi, Randall, Sawalhi and Ricci 2013): lines of shaft and gears,
+/// which X keeps, are as low as the noise, but so are the harmonics of impacts at a steady rate. A
+/// power between them weakens both.
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
-                             double shaft_hz, double last);
+                             double shaft_hz, double last, double prewhitening = 0);
 
 }  // namespace piae::spectra

@@ -93,9 +93,9 @@ double log_kurtosis(const Eigen::RowVectorXd& window) {
 }
 
 Measures measure_one(const Eigen::RowVectorXd& window, const spectra::FilterBank& bank,
-                     double shaft_hz, const Orders& orders) {
+                     double shaft_hz, const Orders& orders, double prewhitening) {
   const spectra::OrderSpectrum spectrum =
-      spectra::order_spectrum(window, bank, shaft_hz, last_order(orders));
+      spectra::order_spectrum(window, bank, shaft_hz, last_order(orders), prewhitening);
   Measures measures;
   for (std::size_t fault_type = 0; fault_type < number_of_fault_types; ++fault_type) {
     measures.lines.at(fault_type) =
@@ -122,7 +122,12 @@ std::array<double, number_of_fault_types> line_orders(const bearing::Geometry& g
   return orders;
 }
 
-std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what) {
+double fewest_turns(const bearing::Geometry& geometry) {
+  return bins_apart / (most_harmonics * smallest_gap(line_orders(geometry)));
+}
+
+std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what,
+                              double prewhitening) {
   if (!windows.info.has_bearing) {
     throw Error(
         Exit::bad_input,
@@ -141,7 +146,7 @@ std::vector<Measures> measure(const signal::WindowSet& windows, const std::strin
     const Eigen::RowVectorXd window = Eigen::Map<const Eigen::RowVectorXf>(
                                           samples.data(), static_cast<Eigen::Index>(samples.size()))
                                           .cast<double>();
-    all[i] = measure_one(window, bank, windows.speed_rpm(i) / 60, orders);
+    all[i] = measure_one(window, bank, windows.speed_rpm(i) / 60, orders, prewhitening);
   });
   return all;
 }

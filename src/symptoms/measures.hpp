@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/range.hpp"
 #include "bearing/defect.hpp"
 #include "bearing/geometry.hpp"
 #include "signal/window_set.hpp"
@@ -36,12 +37,20 @@ struct Measures {
   Eigen::ArrayXd levels_db;  ///< [bands] (spectra/bands.hpp)
 };
 
+/// Values of `prewhitening` (spectra::order_spectrum()).
+inline constexpr Range possible_prewhitening{.low = 0, .high = 1};
+
 /// Returns the measures of each window at its shaft speed. `what` names the set in errors, such as
 /// "--test". Throws Error(bad_input) for an impossible bearing (bearing/kinematics.hpp); for a
 /// speed that is not above 0, or so high that harmonics of a line lie above half the sample rate;
 /// for a sample rate below 1800 Hz; for a constant window; and for windows too short to separate
 /// the lines: the fourth harmonics of any two must lie two bins of the spectrum apart, the half
 /// width of a line under Hann's window. A 6205 needs 0.71 turns of the shaft.
-std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what);
+std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what,
+                              double prewhitening = 0);
+
+/// Returns the number of shaft turns that a window needs to separate the lines (measure()); infinite
+/// if two lines coincide.
+double fewest_turns(const bearing::Geometry& geometry);
 
 }  // namespace piae::symptoms
