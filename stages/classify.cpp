@@ -1,8 +1,10 @@
 // Applies a kept classifier to recordings.
 
 #include <iostream>
+#include <optional>
 #include <vector>
 
+#include "classification/fitted.hpp"
 #include "classification/picture.hpp"
 #include "classification/record.hpp"
 #include "classification/sources.hpp"
@@ -17,13 +19,26 @@
 using namespace piae;
 namespace fs = std::filesystem;
 
+namespace {
+
+void require_classifier(const artefact::Reader& reader) {
+  if (reader.kind() == "classifier") return;
+  throw Error(
+      Exit::bad_input,
+      reader.path().string() + ": is an artefact of kind '" + reader.kind() +
+          "', not 'classifier' (of diagnose --keep-classifier) or 'any-bearing' (of teach)");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   cli::Stage stage(
       "classify",
       "Predicts the fault in recordings with a classifier that `diagnose --keep-classifier` "
       "stored: class and calibrated probability of each window and of the whole recording, or "
-      "\"unknown\" if it differs from all trained classes. The picture adds the evidence: the "
-      "envelope spectrum with the fault lines of the bearing.",
+      "\"unknown\" if it differs from all trained classes. With the network for all machines that "
+      "`teach` made, --healthy names healthy records of the machine; no training is needed. The "
+      "picture adds the evidence: the envelope spectrum with the fault lines of the bearing.",
       "classify --classifier classifier.h5 --recording bearing7.csv --variable 1 "
       "--sample-rate-hz 25600 --speed-rpm 1500 --picture bearing7.svg");
   fs::path classifier_file;
@@ -32,8 +47,10 @@ int main(int argc, char** argv) {
   fs::path csv;
   fs::path picture;
   std::size_t step = 0;
-  stage.input_file("--classifier", classifier_file,
-                   "trained classifier, classifier.h5 of diagnose --keep-classifier");
+  stage.input_file(
+      "--classifier", classifier_file,
+      "trained classifier, classifier.h5 of diagnose --keep-classifier; or a network for all "
+      "machines, any-bearing.h5 of teach");
   bind(stage, sources);
   stage.options()
       .add("--step", step,
@@ -47,12 +64,18 @@ int main(int argc, char** argv) {
 
   return stage.run(argc, argv, [&] {
     require_one(sources);
-    const artefact::Reader reader = stage.open("classifier", classifier_file, "classifier");
-    diagnosis::KeptClassifier kept(reader);
+    const artefact::Reader reader = stage.open("classifier", classifier_file, "");
+    const bool for_all_machines = reader.kind() == "any-bearing";
+    if (!for_all_machines) require_classifier(reader);
+    diagnosis::KeptClassifier kept = for_all_machines
+                                         ? classification::fit_to_machine(stage, reader, sources)
+                                         : diagnosis::KeptClassifier(reader);
     const signal::DatasetInfo& info = kept.info();
-    const diagnosis::Trust trust = diagnosis::read_trust(reader, info);
+    std::optional<diagnosis::Trust> trust;
+    if (!for_all_machines) trust = diagnosis::read_trust(reader, info);
 
-    std::vector<classification::Recording> recordings = classification::read(stage, sources, kept);
+    std::vector<classification::Recording> recordings =
+        classification::read(stage, sources, kept.classifier(), info);
     stage.require_free({output, csv, picture});
     std::vector<classification::Verdict> verdicts;
     cli::Progress progress("classify", "recordings", recordings.size());

@@ -31,7 +31,9 @@ int main(int argc, char** argv) {
       .add("--prewhitening", options.prewhitening,
            "power of a spectrum's own amplitude that divides it; 1: cepstral prewhitening")
       .check(cli::within(symptoms::possible_prewhitening));
-  stage.options().add("--seed", seed, "selects the random streams").check(cli::whole_number(0, 1'000'000));
+  stage.options()
+      .add("--seed", seed, "selects the random streams")
+      .check(cli::whole_number(0, 1'000'000));
   const cli::StoredOptions wear = table_of(options.wear);
   wear.bind(stage.options());
   stage.output_file("--output", output, "network for all machines, any-bearing.h5");
@@ -40,9 +42,8 @@ int main(int argc, char** argv) {
     wear.require_order();
     const Stream stream(fmt::format("teach/seed{}", seed));
     cli::Progress progress("teach", "machines", static_cast<std::size_t>(options.machines));
-    const machines::Lessons lessons =
-        draw_lessons(options, stream.child("machines"),
-                     [&](std::size_t done) { progress.update(done); });
+    const machines::Lessons lessons = draw_lessons(
+        options, stream.child("machines"), [&](std::size_t done) { progress.update(done); });
     const diagnosis::AnyBearingNetwork network(lessons.symptoms, lessons.labels,
                                                options.prewhitening, stream.child("network"));
     artefact::Writer writer("any-bearing");
@@ -51,9 +52,10 @@ int main(int argc, char** argv) {
     writer.attribute("/", "machines", static_cast<std::int64_t>(options.machines));
     writer.attribute("/", "seed", seed);
     stage.save(writer, output);
-    std::cout << fmt::format("taught {} windows of {} machines, {:.1f} % correct in the last epoch: "
-                             "{}\n",
-                             lessons.labels.size(), options.machines,
-                             100 * network.training().train_accuracy.back(), output.string());
+    std::cout << fmt::format(
+        "taught {} windows of {} machines, {:.1f} % correct in the last epoch: "
+        "{}\n",
+        lessons.labels.size(), options.machines, 100 * network.training().train_accuracy.back(),
+        output.string());
   });
 }

@@ -32,6 +32,9 @@ void bind(cli::Stage& stage, Sources& sources) {
       .required(false);
   stage.options().add("--record", sources.records,
                       "records of --description or --records to classify (default: all)");
+  stage.options().add("--healthy", sources.healthy,
+                      "healthy records of --description or --records, the reference for a network "
+                      "for all machines");
   stage.options()
       .add("--speed-search-percent", sources.speed_search_percent,
            "take the shaft speed from the signal, within this range about the given speed; where "
@@ -51,9 +54,10 @@ void require_one(const Sources& sources) {
 }
 
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
-                            const diagnosis::KeptClassifier& kept) {
-  const Fit fit{.classifier = kept.classifier(),
-                .trained = kept.info(),
+                            const diagnosis::Classifier& classifier,
+                            const signal::DatasetInfo& trained) {
+  const Fit fit{.classifier = classifier,
+                .trained = trained,
                 .speed_search_percent = sources.speed_search_percent};
   if (!sources.lone.file.empty()) {
     stage.note_input("recording", sources.lone.file);

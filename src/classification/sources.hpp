@@ -17,6 +17,7 @@ struct Sources {
   std::filesystem::path data_dir = "data";
   std::filesystem::path records_file;
   std::vector<std::string> records;  ///< their names; all if empty
+  std::vector<std::string> healthy;  ///< names of healthy records, for a network for all machines
   double speed_search_percent = 0;   ///< see Fit
 };
 
@@ -26,9 +27,11 @@ void bind(cli::Stage& stage, Sources& sources);
 /// sample rate and shaft speed.
 void require_one(const Sources& sources);
 
-/// Reads the recordings at the sample rate of the training, and records the files as inputs of the
-/// stage. Throws as read_lone_file(), read_described() and read_recorded() do.
+/// Reads the recordings at the sample rate of the training, with the speed search of the sources,
+/// and records the files as inputs of the stage. Throws as read_lone_file(), read_described() and
+/// read_recorded() do.
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
-                            const diagnosis::KeptClassifier& kept);
+                            const diagnosis::Classifier& classifier,
+                            const signal::DatasetInfo& trained);
 
 }  // namespace piae::classification

@@ -117,19 +117,28 @@ std::string speeds_of(const std::vector<Verdict>& verdicts) {
   return lines;
 }
 
-std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust) {
+std::string origin_of(const diagnosis::KeptClassifier& kept,
+                      const std::optional<diagnosis::Trust>& trust) {
   const diagnosis::ClassifierOrigin& origin = kept.origin();
+  const std::string unknown =
+      kept.novelty()
+          ? ""
+          : "unknown faults are not detected: no fault is known in the tested condition\n";
+  if (!trust) {
+    return fmt::format(
+        "by {}, taught on simulated machines, against {} healthy windows of {}\n"
+        "probabilities are not calibrated, and the accuracy on this machine is not known\n{}",
+        kept.classifier().name, origin.training_windows, kept.info().name, unknown);
+  }
   return fmt::format(
       "by {} of {}, trained on {} windows ({} {}, seed {})\n"
       "accuracy on windows outside the training set: {:.1f} %\nprobabilities {}\n{}",
       kept.classifier().name, kept.info().name, origin.training_windows, origin.method,
-      origin.ratio, origin.seed, 100 * trust.accuracy,
+      origin.ratio, origin.seed, 100 * trust->accuracy,
       kept.calibration().windows > 0
-          ? fmt::format("were off by {:.1f} points on average", 100 * trust.calibration_error)
+          ? fmt::format("were off by {:.1f} points on average", 100 * trust->calibration_error)
           : "are not calibrated: there are too few windows to leave some out",
-      kept.novelty()
-          ? ""
-          : "unknown faults are not detected: no fault is known in the tested condition\n");
+      unknown);
 }
 
 std::string csv_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ std::string table_of(const std::vector<Verdict>& verdicts, const signal::Dataset
 /// one, with what to do; empty if there are none.
 std::string speeds_of(const std::vector<Verdict>& verdicts);
 
-/// Returns four lines: the classifier, its training set, and its trust.
-std::string origin_of(const diagnosis::KeptClassifier& kept, const diagnosis::Trust& trust);
+/// Returns lines about the classifier, its training set, and its trust, which a network for all
+/// machines lacks.
+std::string origin_of(const diagnosis::KeptClassifier& kept,
+                      const std::optional<diagnosis::Trust>& trust);
 
 /// Returns a line for each window: recording, start_s, class, probability, novelty (column
 /// `novelty`), unknown (0 or 1), and the probability of every class.

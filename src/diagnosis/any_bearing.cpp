@@ -42,7 +42,8 @@ class FittedNetwork final : public Trained {
         const signal::Defect defect = windows.info.class_of(label).defect;
         const std::size_t place =
             defect == signal::Defect::none ? 0 : 1 + place_among_types(defect);
-        logits[index_of(label)] = static_cast<float>(one.logits(0, static_cast<Eigen::Index>(place)));
+        logits[index_of(label)] =
+            static_cast<float>(one.logits(0, static_cast<Eigen::Index>(place)));
       }
       std::vector<float> scores(classes);
       softmax(static_cast<std::int64_t>(classes), logits.data(), scores.data());

@@ -16,15 +16,15 @@ namespace piae::diagnosis {
 /// The stored network, below the folder of the project. `teach` makes it.
 inline constexpr const char* any_bearing_file = "results/reference/any-bearing.h5";
 
-/// A network on symptoms that was taught on simulated machines alone (machines/lessons.hpp). Symptoms
-/// mean the same on every machine, so it predicts the fault type on any machine with a known bearing
-/// and healthy windows.
+/// A network on symptoms that was taught on simulated machines alone (machines/lessons.hpp).
+/// Symptoms mean the same on every machine, so it predicts the fault type on any machine with a
+/// known bearing and healthy windows.
 class AnyBearingNetwork {
  public:
   /// Outputs: healthy, then symptoms::fault_types.
   static constexpr std::int64_t outputs = 1 + symptoms::number_of_fault_types;
-  /// More than symptom-net's: simulated machines differ from real ones, so that details of a symptom
-  /// mislead. Tried 0.1, 0.3 and 0.5 (pipeline/protocol.toml).
+  /// More than symptom-net's: simulated machines differ from real ones, so that details of a
+  /// symptom mislead. Tried 0.1, 0.3 and 0.5 (pipeline/protocol.toml).
   static constexpr SymptomTraining settings{.noise = 0.5};
 
   /// Teaches a network. `labels` are indices of outputs; `prewhitening` is that of the symptoms.

@@ -9,8 +9,8 @@
 
 namespace piae::diagnosis {
 
-/// Settings for training a network on symptoms. They matter little, because the network is small and
-/// its few inputs share one scale: dropout and noise gain half a point on hit-sm, weight decay
+/// Settings for training a network on symptoms. They matter little, because the network is small
+/// and its few inputs share one scale: dropout and noise gain half a point on hit-sm, weight decay
 /// nothing.
 struct SymptomTraining {
   static constexpr std::int64_t epochs = 60;

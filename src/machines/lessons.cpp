@@ -17,8 +17,8 @@ using signal::WindowSet;
 /// Returns fault windows of a machine on another day.
 WindowSet fault_windows_of(const Machine& machine, const LessonOptions& options,
                            const Stream& stream) {
-  const WindowSet background = healthy_windows(
-      machine, static_cast<std::size_t>(options.reference), Day::other, stream.child("background"));
+  const WindowSet background = healthy_windows(machine, static_cast<std::size_t>(options.reference),
+                                               Day::other, stream.child("background"));
   const zero::Machine known(background);
   const zero::Twin twin(known, options.prior);
   WindowSet faults = zero::make_windows(
@@ -49,8 +49,7 @@ Lessons lessons_of_one(const LessonOptions& options, const Stream& stream) {
   add_lessons(healthy_windows(machine, static_cast<std::size_t>(options.healthy), Day::other,
                               stream.child("healthy")),
               reference, options.prewhitening, lessons);
-  add_lessons(fault_windows_of(machine, options, stream), reference, options.prewhitening,
-              lessons);
+  add_lessons(fault_windows_of(machine, options, stream), reference, options.prewhitening, lessons);
   return lessons;
 }
 

@@ -32,8 +32,8 @@ struct Lessons {
 
 /// Simulates machines (machine.hpp) with each fault type, by the twin of piae-dt-zero and worn
 /// surfaces (wear.hpp), and measures the symptoms of their windows. Machine i draws only from the
-/// stream's child "<i>". Calls `machine_done` with the number of finished machines, on any thread but
-/// one at a time.
+/// stream's child "<i>". Calls `machine_done` with the number of finished machines, on any thread
+/// but one at a time.
 Lessons draw_lessons(const LessonOptions& options, const Stream& stream,
                      const std::function<void(std::size_t)>& machine_done = {});
 

@@ -62,8 +62,8 @@ Eigen::ArrayXd draw_log_amplitude(const Machine& machine, Stream& random) {
   const double rate_hz = machine.info.sample_rate_hz;
   const auto bins = static_cast<Eigen::Index>(machine.length + 1);
   const auto resonances = zero::draw_resonances(prior, rate_hz, random);
-  const Eigen::ArrayXd response = zero::draw_log_response(resonances, Eigen::ArrayXd::Zero(bins),
-                                                          rate_hz, prior, random);
+  const Eigen::ArrayXd response =
+      zero::draw_log_response(resonances, Eigen::ArrayXd::Zero(bins), rate_hz, prior, random);
   return response - response.mean();
 }
 

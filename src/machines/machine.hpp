@@ -28,8 +28,8 @@ struct Machine {
   std::vector<Tone> tones;
   double tone_power = 0;    ///< mean square of all tones / that of the noise
   double sensor_noise = 0;  ///< standard deviation of white noise / that of the noise
-  /// Modulation depths of the noise at BPFO, BPFI, 2 BSF and the shaft's speed. Healthy bearings have
-  /// lines, too, from waviness, load and unbalance.
+  /// Modulation depths of the noise at BPFO, BPFI, 2 BSF and the shaft's speed. Healthy bearings
+  /// have lines, too, from waviness, load and unbalance.
   std::array<double, 4> modulation{};
   double stray_impacts = 0;  ///< mean number of impacts in a frame that do not come from a defect
   double window_db = 0;      ///< standard deviation of the path's gain at a knot between windows

@@ -40,11 +40,11 @@ Modulation draw_wear_modulation(const Machine& machine, Defect defect, const Wea
       bearing::fault_frequencies(machine.info.bearing, machine.info.shaft_speed_rpm, slip);
   const bool of_ball = defect == Defect::roller;
   Modulation modulation{.slow_hz = of_ball ? rates.cage_hz : rates.shaft_hz};
-  modulation.impacts_hz = of_ball                    ? 2 * rates.bsf_hz
+  modulation.impacts_hz = of_ball                   ? 2 * rates.bsf_hz
                           : defect == Defect::inner ? rates.bpfi_hz
-                                                     : rates.bpfo_hz;
-  modulation.impacts_depth = of_ball ? zero::evenly(random, 0, wear.ball_depth)
-                                     : zero::evenly(random, wear.race_depth, 1);
+                                                    : rates.bpfo_hz;
+  modulation.impacts_depth =
+      of_ball ? zero::evenly(random, 0, wear.ball_depth) : zero::evenly(random, wear.race_depth, 1);
   modulation.slow_depth =
       zero::evenly(random, 0, defect == Defect::outer ? most_of_outer : most_of_others);
   return modulation;
