@@ -84,6 +84,12 @@ void AnyBearingNetwork::write(artefact::Writer& writer) const {
   writer.attribute(learned, prewhitened, prewhitening_);
 }
 
+void require_any_bearing(const artefact::Reader& reader) {
+  (void)reader.real(learned, prewhitened, symptoms::possible_prewhitening);
+  (void)SymptomStandard(reader, learned);
+  SymptomNetwork(AnyBearingNetwork::outputs, 1, Stream("overwritten")).read(reader, learned);
+}
+
 std::unique_ptr<Trained> fit_any_bearing(const artefact::Reader& network,
                                          const signal::WindowSet& normal) {
   require_fault_types(normal.info);

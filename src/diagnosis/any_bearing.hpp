@@ -46,6 +46,9 @@ class AnyBearingNetwork {
   Training training_;
 };
 
+/// Throws artefact::Refusal unless the file holds such a network.
+void require_any_bearing(const artefact::Reader& reader);
+
 /// Fits the network of a file to a machine: its healthy windows become the reference. Throws
 /// Error(bad_input) as TrainedRule does, and artefact::Refusal for another file.
 std::unique_ptr<Trained> fit_any_bearing(const artefact::Reader& network,

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -111,6 +112,17 @@ bool is_gone(const std::string& role, const Step& step) {
   });
 }
 
+/// Returns the artefacts that a step reads and no step makes, such as the network for all machines.
+Words artefacts_from_elsewhere(const Graph& graph, const Step& step) {
+  Words files;
+  for (const Input& input : step.inputs) {
+    std::ranges::copy_if(input.files, std::back_inserter(files), [&](const std::string& file) {
+      return file.ends_with(".h5") && !graph.maker_of(file);
+    });
+  }
+  return files;
+}
+
 }  // namespace
 
 bool same_value(const std::string& left, const std::string& right) {
@@ -134,6 +146,7 @@ void Judge::read_ahead(const std::vector<StepId>& ids) {
     if (!is_needed[id] || verdicts_.contains(id)) continue;
     for (const StepId needed : graph_.needs(id)) is_needed[needed] = true;
     append(files, graph_.at(id).outputs);
+    append(files, artefacts_from_elsewhere(graph_, graph_.at(id)));
   }
   disk_.read_ahead(files);
 }

@@ -21,7 +21,7 @@ namespace {
 /// group of data sets.
 const std::vector<std::string> stages = {"split",    "train",    "generate", "score",
                                          "diagnose", "tabulate", "sweep",    "identify",
-                                         "readings", "transfer", "trust"};
+                                         "readings", "transfer", "trust",    "teach"};
 
 std::string nothing_reads(const std::string& path, const std::string& name,
                           const std::vector<std::string>& known) {

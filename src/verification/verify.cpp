@@ -7,6 +7,7 @@
 
 #include "augment/stored_model.hpp"
 #include "classification/record.hpp"
+#include "diagnosis/any_bearing.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/trust.hpp"
 #include "scoring/diagnosis_record.hpp"
@@ -60,6 +61,10 @@ void check_classifier(const Reader& reader, Splits& /*splits*/) {
   (void)diagnosis::read_trust(reader, kept.info());
 }
 
+void check_any_bearing(const Reader& reader, Splits& /*splits*/) {
+  diagnosis::require_any_bearing(reader);
+}
+
 void check_classification(const Reader& reader, Splits& /*splits*/) {
   classification::require_classification(reader);
 }
@@ -77,10 +82,15 @@ struct Kind {
 
 /// Add a new kind of artefact here, with its check.
 constexpr Kind kinds[] = {
-    {"records", check_records},       {"windows", check_windows},
-    {"model", check_model},           {"score", check_score},
-    {"diagnosis", check_diagnosis},   {"checkpoint", check_nothing_more},
-    {"classifier", check_classifier}, {"classification", check_classification},
+    {"records", check_records},
+    {"windows", check_windows},
+    {"model", check_model},
+    {"score", check_score},
+    {"diagnosis", check_diagnosis},
+    {"checkpoint", check_nothing_more},
+    {"classifier", check_classifier},
+    {"classification", check_classification},
+    {"any-bearing", check_any_bearing},
 };
 
 void check_content(const Reader& reader, Splits& splits) {

@@ -11,6 +11,7 @@
 #include "diagnosis/learn.hpp"
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/stored.hpp"
+#include "diagnosis/taught.hpp"
 #include "diagnosis/training_set.hpp"
 #include "stages/doctor.hpp"
 #include "support/errors.hpp"
@@ -46,17 +47,21 @@ class Keep : public testing::Test {
     const Stream stream("toy");
     const MakeWdcnnBackend backend = make_one_core_backend;
     const WindowSet set = training(per_class);
-    return keep(
-        classifier, learn(classifier, normal_, set, options_, stream, backend).trained, set,
-        lessons(per_class),
-        {.options = options_, .stream = stream, .make_backend = backend, .epoch_done = epoch_done},
-        {.method = "none",
-         .ratio = "100to1",
-         .generated_per_class = per_class,
-         .seed = 7,
-         .protocol = signal::Protocol::blocked,
-         .training_windows = 0,
-         .training_digest = ""});
+    return keep(classifier,
+                learn(classifier, normal_, set, options_, stream, backend, {}, &network_).trained,
+                set, lessons(per_class),
+                {.options = options_,
+                 .stream = stream,
+                 .make_backend = backend,
+                 .epoch_done = epoch_done,
+                 .network = &network_},
+                {.method = "none",
+                 .ratio = "100to1",
+                 .generated_per_class = per_class,
+                 .seed = 7,
+                 .protocol = signal::Protocol::blocked,
+                 .training_windows = 0,
+                 .training_digest = ""});
   }
   [[nodiscard]] artefact::Reader written(const KeptClassifier& classifier) const {
     artefact::Writer writer("classifier");
@@ -69,6 +74,7 @@ class Keep : public testing::Test {
   }
 
   const Folder folder_;
+  const artefact::Reader network_ = taught_network(folder_);
   const WdcnnOptions options_{.epochs = 2, .batch = 8, .learning_rate = 1e-3};
   WindowSet normal_ = no_impact_windows();
   WindowSet known_ = no_impact_windows();

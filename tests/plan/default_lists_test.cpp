@@ -51,8 +51,8 @@ TEST_F(DefaultLists, AreWhatWorksWithoutKnownFaultsForVerdicts) {
   EXPECT_THAT(lists.datasets, ElementsAre("cwru-blind"));
   EXPECT_THAT(lists.methods, ElementsAre("none", "piae-dt-zero", "healthy-plus-impulses"));
   EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
-  EXPECT_THAT(lists.classifiers,
-              ElementsAre("nearest", "envelope-rule", "exclusion-rule", "symptom-net"));
+  EXPECT_THAT(lists.classifiers, ElementsAre("nearest", "envelope-rule", "exclusion-rule",
+                                             "symptom-net", "any-bearing"));
   EXPECT_THAT(lists.seeds, ElementsAre(0));
 }
 

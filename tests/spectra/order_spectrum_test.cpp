@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "impacts/path.hpp"
 #include "support/computed_window.hpp"
 #include "support/impact_windows.hpp"
 
@@ -10,10 +14,11 @@ namespace {
 
 /// Returns the order spectrum of a window at 12 kHz, up to the fourth harmonic of a 6205's highest
 /// line.
-OrderSpectrum spectrum_of(const std::vector<float>& window, double shaft_hz) {
+OrderSpectrum spectrum_of(const std::vector<float>& window, double shaft_hz,
+                          double prewhitening = 0) {
   const auto length = std::ssize(window);
   return order_spectrum(Eigen::Map<const Eigen::RowVectorXf>(window.data(), length).cast<double>(),
-                        filter_bank(12000, length), shaft_hz, 21.92);
+                        filter_bank(12000, length), shaft_hz, 21.92, prewhitening);
 }
 
 TEST(OrderSpectrum, MatchesNumpy) {
@@ -53,6 +58,46 @@ TEST(OrderSpectrum, HasALineAtTheImpactOrderAtAnySpeed) {
     EXPECT_NEAR(harmonic, std::round(harmonic), 0.05) << shaft_hz;
     EXPECT_GT(spectrum.heights[highest], 0.8) << shaft_hz;
   }
+}
+
+/// Returns noise, impacts at order 4.2, and the tones of a gear whose mesh is modulated by the
+/// shaft.
+std::vector<float> impacts_and_gear(Stream& stream) {
+  std::vector<float> window = impact_window({.impacts_hz = 4.2 * 30}, stream);
+  for (std::size_t t = 0; t < window.size(); ++t) {
+    for (const double hz : {2370.0, 2400.0, 2430.0}) {
+      window[t] += static_cast<float>(
+          20 * std::sin(2 * std::numbers::pi * hz * static_cast<double>(t) / 12000));
+    }
+  }
+  return window;
+}
+
+TEST(OrderSpectrum, PrewhiteningRemovesTheLinesOfTones) {
+  Stream stream("gear");
+  const std::vector<float> window = impacts_and_gear(stream);
+  const OrderSpectrum plain = spectrum_of(window, 30);
+  const OrderSpectrum half = spectrum_of(window, 30, 0.5);
+  const OrderSpectrum whole = spectrum_of(window, 30, 1);
+  EXPECT_GT(plain.at(1, -3, 9), whole.at(1, -3, 9) + 0.4);
+  EXPECT_GT(plain.at(1, -3, 9), half.at(1, -3, 9) + 0.1);
+  EXPECT_GT(whole.at(4.2, -3, 9), whole.at(1, -3, 9));
+  EXPECT_LT(plain.at(4.2, -3, 9), plain.at(1, -3, 9));
+}
+
+// Cepstral prewhitening leaves the phases alone, so no filter without phase changes the result.
+TEST(OrderSpectrum, WholePrewhiteningDoesNotDependOnAFilter) {
+  Stream stream("filtered");
+  const std::vector<float> window = impacts_and_gear(stream);
+  std::vector<double> filtered(window.begin(), window.end());
+  impacts::equalise(filtered, impacts::draw_gains(stream, std::ssize(filtered) / 2 + 1,
+                                                  {.spread_db = 10, .knots = 9}));
+  const OrderSpectrum before = spectrum_of(window, 30, 1);
+  const OrderSpectrum after = spectrum_of({filtered.begin(), filtered.end()}, 30, 1);
+  EXPECT_LT((before.heights - after.heights).abs().mean(), 1e-4);
+  const OrderSpectrum plain = spectrum_of(window, 30);
+  const OrderSpectrum other = spectrum_of({filtered.begin(), filtered.end()}, 30);
+  EXPECT_GT((plain.heights - other.heights).abs().mean(), 1e-3);
 }
 
 TEST(OrderSpectrum, InterpolatesBetweenClippedHeights) {

@@ -24,6 +24,9 @@ class Classifiers : public testing::Test {
     Arguments arguments = with(with(step_of("diagnose").arguments, "--classifier", classifier),
                                "--output", classifier + ".h5");
     const diagnosis::Classifier* const found = diagnosis::find_classifier(classifier);
+    if (found != nullptr && found->fit != nullptr) {
+      arguments = with(arguments, "--network", stored_network());
+    }
     if (found == nullptr || !found->rule) return arguments;
     const auto generated = std::ranges::find(arguments, "--generated");
     arguments.erase(generated, generated + 2);

@@ -100,6 +100,7 @@ TEST_F(KeepClassifier, EveryClassifierPredictsLikeItsDiagnosis) {
     SCOPED_TRACE(name);
     Arguments arguments = with(with(diagnose(name), "--output", name + ".diagnosis.h5"),
                                "--keep-classifier", name + ".h5");
+    if (each.fit != nullptr) arguments = with(arguments, "--network", stored_network());
     const Outcome outcome = tiny_.run("diagnose", arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const Outcome verified = tiny_.run("verify", {name + ".h5"});

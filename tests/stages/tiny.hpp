@@ -73,6 +73,11 @@ inline const std::vector<Step>& chain() {
   return steps;
 }
 
+/// Returns the network for all machines that the project stores.
+inline std::string stored_network() {
+  return std::string(PIAE_SOURCE) + "/results/reference/any-bearing.h5";
+}
+
 /// Returns the last step of a stage; for diagnose it is the one with generated windows.
 inline const Step& step_of(const std::string& stage) {
   const Step* found = nullptr;

@@ -65,6 +65,8 @@ TEST_P(Usage, UnknownOptionIsNamed) {
     arguments = {"--windows", "E.h5", "--output", "E.csv"};
   } else if (GetParam() == std::string("monitor")) {
     arguments = {"--classifier", "c.h5", "--sample-rate-hz", "12000", "--speed-rpm", "1797"};
+  } else if (GetParam() == std::string("teach")) {
+    arguments = {"--output", "any-bearing.h5"};
   } else if (GetParam() == std::string("classify")) {
     arguments = {"--classifier", "c.h5"};
   } else if (GetParam() == std::string("trust") || GetParam() == std::string("verdicts")) {
@@ -84,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, Usage,
                          testing::Values("ingest", "simulate", "split", "train", "generate",
                                          "score", "diagnose", "tabulate", "sweep", "check",
                                          "contrast", "transfer", "identify", "verify", "read_raw",
-                                         "export_windows", "monitor", "classify", "trust",
+                                         "export_windows", "monitor", "classify", "teach", "trust",
                                          "verdicts"),
                          [](const auto& info) { return info.param; });
 

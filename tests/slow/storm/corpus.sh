@@ -163,6 +163,8 @@ for classifier in wdcnn nearest; do
   consumer $kept/classification.h5 verdicts --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
     --classifiers wdcnn
 done
+stage teach --machines 3 --output any-bearing.h5
+consumer any-bearing.h5 "${baseline[@]}" --classifier any-bearing --network any-bearing.h5 --output out.h5
 
 # A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
