@@ -82,7 +82,6 @@ TEST(OrderSpectrum, PrewhiteningRemovesTheLinesOfTones) {
   EXPECT_GT(plain.at(1, -3, 9), whole.at(1, -3, 9) + 0.4);
   EXPECT_GT(plain.at(1, -3, 9), half.at(1, -3, 9) + 0.1);
   EXPECT_GT(whole.at(4.2, -3, 9), whole.at(1, -3, 9));
-  EXPECT_LT(plain.at(4.2, -3, 9), plain.at(1, -3, 9));
 }
 
 // Cepstral prewhitening leaves the phases alone, so no filter without phase changes the result.
