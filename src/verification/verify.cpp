@@ -14,6 +14,7 @@
 #include "signal/recordings.hpp"
 #include "signal/roles.hpp"
 #include "signal/window_set.hpp"
+#include "trend/healthy.hpp"
 
 namespace piae::verification {
 
@@ -64,6 +65,10 @@ void check_classification(const Reader& reader, Splits& /*splits*/) {
   classification::require_classification(reader);
 }
 
+void check_baseline(const Reader& reader, Splits& /*splits*/) {
+  (void)trend::read_baseline(reader);
+}
+
 void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }
 
 /// Checks nothing: only the training that left a checkpoint knows its contents.
@@ -81,6 +86,7 @@ constexpr Kind kinds[] = {
     {"model", check_model},           {"score", check_score},
     {"diagnosis", check_diagnosis},   {"checkpoint", check_nothing_more},
     {"classifier", check_classifier}, {"classification", check_classification},
+    {"baseline", check_baseline},
 };
 
 void check_content(const Reader& reader, Splits& splits) {
