@@ -8,6 +8,7 @@
 
 #include "signal/dataset_info.hpp"
 #include "spectra/lines.hpp"
+#include "trend/low_pass.hpp"
 
 namespace piae::trend {
 
@@ -54,13 +55,13 @@ Features FeatureMeter::measure(std::span<const float> samples) const {
   const Eigen::RowVectorXd window = Eigen::Map<const Eigen::RowVectorXf>(
                                         samples.data(), static_cast<Eigen::Index>(samples.size()))
                                         .cast<double>();
-  const Eigen::ArrayXd moving = window.array() - window.mean();
+  const Eigen::RowVectorXd moving = low_passed(window);
   Features features;
-  features.level_db = 10 * std::log10(moving.square().mean());
+  features.level_db = 10 * std::log10(moving.array().square().mean());
   features.shape_db = spectra::spectral_shape_db(window);
   features.watched_db.resize(static_cast<Eigen::Index>(names().size()));
   features.watched_db.head(octaves) = octave_levels_db(window);
-  features.watched_db[octaves] = 20 * std::log10(moving.abs().maxCoeff());
+  features.watched_db[octaves] = 20 * std::log10(moving.array().abs().maxCoeff());
   if (lines_) features.watched_db.tail(lines_->orders.size()) = line_heights_db(window);
   return features;
 }

@@ -30,8 +30,8 @@ inline constexpr std::size_t level_features = octaves + 1;
 
 /// Measures of one window.
 struct Features {
-  double level_db = 0;  ///< of the RMS about the mean, over one unit of the signal
-  /// [7] mean power in six octaves (octave_bands.hpp) and peak about the mean, in dB. With lines
+  double level_db = 0;  ///< of the RMS in the watched frequencies, over one unit of the signal
+  /// [7] mean power in six octaves (octave_bands.hpp) and peak in all of them, in dB. With lines
   /// [10]: also the height of the lines of inner race, ball and outer race over four harmonics
   /// (spectra::common_slip_height()), in dB.
   Eigen::ArrayXd watched_db;
@@ -44,7 +44,7 @@ class FeatureMeter {
   FeatureMeter(double rate_hz, std::size_t length, const std::optional<Lines>& lines);
 
   /// Returns the measures of a window that is not constant. Throws Error(bad_input) for a window
-  /// of fewer than 128 samples.
+  /// of fewer than 256 samples.
   [[nodiscard]] Features measure(std::span<const float> window) const;
 
   [[nodiscard]] double rate_hz() const { return rate_hz_; }

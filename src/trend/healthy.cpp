@@ -18,7 +18,7 @@ using Eigen::Index;
 using Row = Eigen::ArrayXd Features::*;
 
 constexpr Range possible_db{.low = -1000, .high = 1000, .unit = " dB"};
-constexpr Range window_samples{.low = 128, .high = 1 << 24, .unit = " samples"};
+constexpr Range window_samples{.low = 256, .high = 1 << 24, .unit = " samples"};
 
 Eigen::ArrayXXd rows_of(const std::vector<Features>& windows, Row row) {
   Eigen::ArrayXXd rows(windows.size(), (windows.front().*row).size());

@@ -12,14 +12,15 @@ namespace piae::trend {
 
 namespace {
 
-constexpr Eigen::Index fewest_samples = 128;
+constexpr Eigen::Index fewest_samples = 256;
 constexpr double lowest_band = 1e-12;  // of the window's power: no level is -infinity
 
-/// Returns the edges of the bands as fractions of half the sample rate.
+/// Returns the edges of the bands as fractions of the sample rate.
 std::array<double, octaves + 1> edges() {
   std::array<double, octaves + 1> edges{};
   for (std::size_t i = 1; i <= octaves; ++i) {
-    edges.at(i) = std::exp2(static_cast<double>(i) - static_cast<double>(octaves));
+    edges.at(i) =
+        std::exp2(static_cast<double>(i) - static_cast<double>(octaves)) / rate_over_bandwidth;
   }
   return edges;
 }
@@ -29,8 +30,7 @@ std::array<double, octaves + 1> edges() {
 std::array<spectra::Band, octaves> octave_bands(double rate_hz) {
   std::array<spectra::Band, octaves> bands;
   for (std::size_t i = 0; i < octaves; ++i) {
-    bands.at(i) = {.low_hz = edges().at(i) * rate_hz / 2,
-                   .high_hz = edges().at(i + 1) * rate_hz / 2};
+    bands.at(i) = {.low_hz = edges().at(i) * rate_hz, .high_hz = edges().at(i + 1) * rate_hz};
   }
   return bands;
 }
@@ -45,8 +45,7 @@ Eigen::ArrayXd octave_levels_db(const Eigen::RowVectorXd& window) {
   const Eigen::ArrayXd power = spectra::mean_power_spectrum(window);
   std::vector<Eigen::Index> bins;
   for (const double edge : edges()) {
-    bins.push_back(
-        static_cast<Eigen::Index>(std::ceil(edge * static_cast<double>(window.size()) / 2)));
+    bins.push_back(static_cast<Eigen::Index>(std::ceil(edge * static_cast<double>(window.size()))));
   }
   const double floor = lowest_band * power.sum();
   return spectra::band_means(power, bins).unaryExpr([&](double mean) {

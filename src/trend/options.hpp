@@ -4,9 +4,10 @@
 
 namespace piae::trend {
 
-/// When a rise above the healthy level is an alarm. The defaults were chosen on the horizontal
-/// channel of the six learning bearings of PRONOSTIA, as the roundest numbers without an alarm in
-/// the first 30 % of any life (docs/monitoring.md).
+/// When a rise above the healthy level is an alarm. The defaults were chosen on both axes of the
+/// six learning bearings of PRONOSTIA, as round numbers without an alarm in the first 30 % of any
+/// life (docs/monitoring.md). 5 dB, instead of 6, would give one; 0.3 to 0.6 dB h make no
+/// difference there.
 struct TrendOptions {
   /// Smallest rise that counts, in dB: twice the amplitude. Machines run in, warm up and change
   /// load, and an hour does not show how far they change in days. Condition monitoring commonly

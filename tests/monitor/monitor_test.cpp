@@ -157,7 +157,7 @@ TEST(Monitor, CutsNoWindowAcrossInvalidLines) {
             "0.10 Normal off; 0.23 Normal off; 0.33 Normal off; 0.43 Normal off; ");
   EXPECT_EQ(monitor.feed().samples(), 450U);
   EXPECT_EQ(monitor.feed().samples_not_finite(), 1U);
-  EXPECT_EQ(monitor.decoder().text().garbled(), 2U);
+  EXPECT_EQ(monitor.feed().decoder().text().garbled(), 2U);
 }
 
 TEST(Monitor, CutsNoWindowAcrossABreak) {
@@ -167,9 +167,9 @@ TEST(Monitor, CutsNoWindowAcrossABreak) {
   std::vector<Decision> decisions;
   const auto report = [&](const Decision& d) { decisions.push_back(d); };
   monitor.add(std::as_bytes(std::span(signal)).first(599), report);
-  EXPECT_EQ(monitor.decoder().waiting(), 3U);
+  EXPECT_EQ(monitor.feed().decoder().waiting(), 3U);
   monitor.skip();
-  EXPECT_EQ(monitor.decoder().waiting(), 0U);
+  EXPECT_EQ(monitor.feed().decoder().waiting(), 0U);
   monitor.add(std::as_bytes(std::span(signal)), report);
   EXPECT_EQ(text_of(decisions), "0.10 Normal off; 0.24 Normal off; ");
 }

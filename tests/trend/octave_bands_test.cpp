@@ -5,12 +5,13 @@
 #include "base/random.hpp"
 #include "support/errors.hpp"
 #include "support/tone.hpp"
+#include "trend/low_pass.hpp"
 
 namespace piae::trend {
 namespace {
 
 TEST(OctaveBands, DoubleInWidth) {
-  const std::array<double, octaves + 1> edges_hz{0, 400, 800, 1600, 3200, 6400, 12800};
+  const std::array<double, octaves + 1> edges_hz{0, 312.5, 625, 1250, 2500, 5000, 10000};
   for (std::size_t i = 0; i < octaves; ++i) {
     EXPECT_DOUBLE_EQ(octave_bands(25600).at(i).low_hz, edges_hz.at(i));
     EXPECT_DOUBLE_EQ(octave_bands(25600).at(i).high_hz, edges_hz.at(i + 1));
@@ -19,7 +20,7 @@ TEST(OctaveBands, DoubleInWidth) {
 
 // 2560 samples at 25.6 kHz: bins are 10 Hz wide.
 TEST(OctaveLevels, FindTheBandOfATone) {
-  const std::array<int, octaves> tens_of_hz{20, 60, 120, 240, 480, 960};
+  const std::array<int, octaves> tens_of_hz{20, 45, 90, 200, 400, 800};
   for (std::size_t band = 0; band < octaves; ++band) {
     Eigen::Index highest = 0;
     octave_levels_db(tone(2560, 3, tens_of_hz.at(band), 0.4).row(0)).maxCoeff(&highest);
@@ -27,13 +28,24 @@ TEST(OctaveLevels, FindTheBandOfATone) {
   }
 }
 
-// A band of twice as many bins halves the mean of the same power: 10 log10(2) = 3.01 dB.
+// Bins 63 to 124 are 62, bins 125 to 249 are 125: the mean of the same power differs by
+// 10 log10(125 / 62) = 3.0452 dB.
 TEST(OctaveLevels, AreMeansOverTheBinsOfABand) {
-  const double in_80_bins = octave_levels_db(tone(2560, 1, 120, 0).row(0))[2];
-  const double in_160_bins = octave_levels_db(tone(2560, 1, 240, 0).row(0))[3];
-  EXPECT_NEAR(in_80_bins - in_160_bins, 3.0103, 1e-4);
-  const double doubled = octave_levels_db(tone(2560, 2, 120, 0).row(0))[2];
-  EXPECT_NEAR(doubled - in_80_bins, 6.0206, 1e-4);
+  const double in_62_bins = octave_levels_db(tone(2560, 1, 100, 0).row(0))[2];
+  const double in_125_bins = octave_levels_db(tone(2560, 1, 200, 0).row(0))[3];
+  EXPECT_NEAR(in_62_bins - in_125_bins, 3.0452, 1e-4);
+  const double doubled = octave_levels_db(tone(2560, 2, 100, 0).row(0))[2];
+  EXPECT_NEAR(doubled - in_62_bins, 6.0206, 1e-4);
+}
+
+// Sensors and recorders are not trusted there.
+TEST(OctaveLevels, LeaveOutWhatLiesAboveTheBandwidth) {
+  const Eigen::RowVectorXd inside = tone(2560, 1, 200, 0).row(0);
+  const Eigen::RowVectorXd both = inside + tone(2560, 5, 1010, 0).row(0);
+  EXPECT_NEAR((octave_levels_db(both) - octave_levels_db(inside))[3], 0, 1e-6);
+  EXPECT_NEAR((low_passed(both) - inside).cwiseAbs().maxCoeff(), 0, 1e-9);
+  const Eigen::RowVectorXd shifted = (inside.array() + 7).matrix();
+  EXPECT_NEAR((low_passed(shifted) - inside).cwiseAbs().maxCoeff(), 0, 1e-9);
 }
 
 TEST(OctaveLevels, AreEqualForWhiteNoise) {
@@ -45,9 +57,9 @@ TEST(OctaveLevels, AreEqualForWhiteNoise) {
 }
 
 TEST(OctaveLevels, NeedEnoughSamples) {
-  EXPECT_EQ(octave_levels_db(tone(128, 1, 30, 0).row(0)).size(), 6);
-  EXPECT_ERROR(octave_levels_db(tone(127, 1, 30, 0).row(0)), Exit::bad_input,
-               "127 samples are too short");
+  EXPECT_EQ(octave_levels_db(tone(256, 1, 30, 0).row(0)).size(), 6);
+  EXPECT_ERROR(octave_levels_db(tone(255, 1, 30, 0).row(0)), Exit::bad_input,
+               "255 samples are too short");
 }
 
 }  // namespace

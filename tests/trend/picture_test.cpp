@@ -41,7 +41,7 @@ void raise(TrendPoint& point, AlarmState state) {
 TEST(TrendPicture, NamesCurvesAndLimits) {
   const std::string picture = picture_of(rising());
   EXPECT_THAT(picture, HasSubstr(">fan: no alarm<"));
-  EXPECT_THAT(picture, HasSubstr(">16-32 Hz (limit 7.0)<"));
+  EXPECT_THAT(picture, HasSubstr(">12.5-25 Hz (limit 7.0)<"));
   EXPECT_THAT(picture, HasSubstr(">peak (limit 6.0)<"));
   EXPECT_THAT(picture, Not(HasSubstr("line (limit")));
   EXPECT_EQ(count_of(picture, "#e0f2ea"), 3U);  // healthy hours in each panel

@@ -10,7 +10,7 @@ namespace {
 TrendPoint risen() {
   TrendPoint point{.time_s = 17300.1, .windows = 3, .evidence = 1};
   point.alarm = monitor::AlarmState::raised;
-  point.cause = "16-32 Hz";
+  point.cause = "12.5-25 Hz";
   point.rises = {.level_db = 2.305, .watched_db = Eigen::ArrayXd::Zero(7), .novelty = 0.984};
   point.rises->watched_db[1] = 9.04;
   return point;
@@ -19,8 +19,8 @@ TrendPoint risen() {
 TEST(TrendPoint, IsALineOfJson) {
   EXPECT_EQ(json_line(risen(), noise_meter().names()),
             "{\"time_s\": 17300.100, \"windows\": 3, \"level_db\": 2.31, \"rise_db\": 9.04, "
-            "\"feature\": \"16-32 Hz\", \"line_db\": null, \"line\": null, \"novelty\": 0.98, "
-            "\"evidence\": 1.0000, \"alarm\": \"raised\", \"cause\": \"16-32 Hz\"}\n");
+            "\"feature\": \"12.5-25 Hz\", \"line_db\": null, \"line\": null, \"novelty\": 0.98, "
+            "\"evidence\": 1.0000, \"alarm\": \"raised\", \"cause\": \"12.5-25 Hz\"}\n");
 }
 
 TEST(TrendPoint, NamesTheHighestLine) {

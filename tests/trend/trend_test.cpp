@@ -94,12 +94,12 @@ TEST(Trend, NamesTheFeatureThatRose) {
   for (int minute = 60; minute < 90; ++minute) {
     std::vector<float> window = noise_window(random);
     for (std::size_t i = 0; i < window.size(); ++i) {
-      window[i] += static_cast<float>(2 * std::sin(0.3 * static_cast<double>(i)));  // 48.9 Hz
+      window[i] += static_cast<float>(2 * std::sin(0.2 * static_cast<double>(i)));  // 32.6 Hz
     }
     machine.trend.add(60.0 * minute, window,
                       [&](const TrendPoint& point) { machine.points.push_back(point); });
   }
-  EXPECT_EQ(machine.points.back().cause, "32-64 Hz");
+  EXPECT_EQ(machine.points.back().cause, "25-50 Hz");
   EXPECT_EQ(machine.points.back().alarm, AlarmState::on);
 }
 
