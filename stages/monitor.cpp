@@ -59,6 +59,7 @@ void classify_stream(cli::Stage& stage, const Settings& settings) {
 void watch_trend_of_stream(cli::Stage& stage, const Settings& settings) {
   const monitor::MonitorOptions& options = settings.options;
   monitor::Input input(settings.input, settings.follow);
+  if (settings.input != "-") stage.note_read(settings.input);
   trend::Session session =
       session_of_stream(stage, settings.sources,
                         {options.sample_rate_hz, options.speed_rpm, options.every_s}, input.name());

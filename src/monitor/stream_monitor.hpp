@@ -9,7 +9,7 @@
 
 namespace piae::monitor {
 
-/// What watch() needs of a monitor: bytes in, lines of JSON out, counts for messages.
+/// Interface between watch() and a monitor: bytes in, lines of JSON out, counts for messages.
 class StreamMonitor {
  public:
   using WriteLine = std::function<void(const std::string&)>;

@@ -51,8 +51,8 @@ struct Record {
 };
 
 /// The content of records.h5 (kind "records"). Each record is an HDF5 dataset /records/<name>. Its
-/// attributes are label, rates, source and, if known, condition, own size, interval of snapshots and true parameters.
-/// /pieces/<name> holds the lengths of the pieces if there are several.
+/// attributes are label, rates, source and, if known, condition, own size, interval of snapshots
+/// and true parameters. /pieces/<name> holds the lengths of the pieces if there are several.
 struct Recordings {
   DatasetInfo info;
   std::vector<Record> records;  ///< in alphabetical order of their names

@@ -32,6 +32,12 @@ double smallest_gap_of(Orders orders) {
   return gap;
 }
 
+/// Returns a frequency with three or more digits.
+std::string hertz(double hz) {
+  constexpr double three_digits = 100;
+  return hz < three_digits ? fmt::format("{:.3g}", hz) : fmt::format("{:.0f}", hz);
+}
+
 }  // namespace
 
 std::optional<Lines> lines_shown(const bearing::Geometry& bearing, double speed_rpm, double rate_hz,
@@ -79,7 +85,7 @@ Eigen::ArrayXd FeatureMeter::line_heights_db(const Eigen::RowVectorXd& window) c
 std::vector<std::string> FeatureMeter::names() const {
   std::vector<std::string> names;
   for (const spectra::Band& band : octave_bands(rate_hz_)) {
-    names.push_back(fmt::format("{:g}-{:g} Hz", band.low_hz, band.high_hz));
+    names.push_back(hertz(band.low_hz) + "-" + hertz(band.high_hz) + " Hz");
   }
   names.emplace_back("peak");
   if (!lines_) return names;

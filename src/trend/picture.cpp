@@ -35,7 +35,7 @@ constexpr const char* alarm_colour = "#fbe3d6";
 const Stroke limit_stroke{"#222222", 1, "6 4"};
 const Stroke alarm_stroke{"#D55E00", 1.6};
 const Stroke rms_stroke{"#222222", 2};
-// Of Okabe and Ito, from low to high frequencies; last the peak.
+// Colours of Okabe and Ito, from low to high frequencies; last the peak.
 const std::array<Stroke, level_features> level_strokes{
     Stroke{"#0072B2", 1.1}, Stroke{"#56B4E9", 1.1}, Stroke{"#009E73", 1.1}, Stroke{"#E69F00", 1.1},
     Stroke{"#D55E00", 1.1}, Stroke{"#CC79A7", 1.1}, Stroke{"#999999", 1.1}};

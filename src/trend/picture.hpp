@@ -7,7 +7,7 @@
 
 namespace piae::trend {
 
-/// What the picture of a trend shows.
+/// Content of the picture of a trend.
 struct Shown {
   std::string machine = {};              ///< record or stream
   std::vector<std::string> names = {};   ///< of the watched features

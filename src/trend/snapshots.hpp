@@ -10,7 +10,7 @@
 namespace piae::trend {
 
 /// Returns the record of this name. An empty name stands for the only record. Throws
-/// Error(bad_input) if there is no such record, or if several could be meant.
+/// Error(bad_input) if the record does not exist, or if several could be meant.
 const signal::Record& record_called(const signal::Recordings& recordings, const std::string& name);
 
 /// Returns the length of the windows that a record is watched in, in samples. Snapshots give one

@@ -9,7 +9,7 @@
 
 namespace piae::trend {
 
-/// Where healthy and later windows come from, and what is written of the trend.
+/// Files of a trend: where its windows come from, and what is written.
 struct Sources {
   double healthy_h = 0;                 ///< first hours of the signal; 0: not given
   std::filesystem::path baseline;       ///< kept baseline instead of the first hours

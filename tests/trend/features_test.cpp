@@ -25,9 +25,9 @@ TEST(Features, AreNamed) {
   EXPECT_THAT(noise_meter().names(), ElementsAre("0-12.5 Hz", "12.5-25 Hz", "25-50 Hz", "50-100 Hz",
                                                  "100-200 Hz", "200-400 Hz", "peak"));
   const FeatureMeter meter(25600, 2560, lines_shown(nskb, 1800, 25600, 2560));
-  EXPECT_THAT(meter.names(), ElementsAre("0-312.5 Hz", "312.5-625 Hz", "625-1250 Hz",
-                                         "1250-2500 Hz", "2500-5000 Hz", "5000-10000 Hz", "peak",
-                                         "inner line", "roller line", "outer line"));
+  EXPECT_THAT(meter.names(),
+              ElementsAre("0-312 Hz", "312-625 Hz", "625-1250 Hz", "1250-2500 Hz", "2500-5000 Hz",
+                          "5000-10000 Hz", "peak", "inner line", "roller line", "outer line"));
 }
 
 TEST(Features, KnowLinesThatWindowsCanSeparate) {
