@@ -64,7 +64,7 @@ std::optional<bearing::Geometry> bearing_of(cli::Stage& stage, const Sources& so
 }  // namespace
 
 void bind(cli::Stage& stage, Sources& sources) {
-  constexpr Range hours{.low = 1e-4, .high = 1e5, .unit = " h"};
+  constexpr Range hours{.low = 1e-6, .high = 1e5, .unit = " h"};
   stage.options()
       .add("--healthy", sources.healthy_h,
            "instead of a classifier: the first hours of the signal, h, which are healthy. Later "

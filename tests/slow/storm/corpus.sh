@@ -164,12 +164,9 @@ for classifier in wdcnn nearest; do
     --classifiers wdcnn
 done
 
-# Keeps the baseline of a machine, which a refusal names.
-awk 'BEGIN { srand(1); for (i = 0; i < 8192; ++i) printf "%.6f\n", sin(i / 3) + rand() }' >raw.txt
-watch=(--input raw.txt --format text --sample-rate-hz 1000)
-stage monitor --healthy 0.002 --window-s 0.512 --description tiny.toml --speed-rpm 1797 "${watch[@]}" \
-  --keep-baseline baseline.h5
-consumer baseline.h5 monitor --baseline baseline.h5 "${watch[@]}" --picture out.svg
+# Keeps the baseline of a machine, with fault lines: eight windows of a record.
+stage monitor --healthy 0.00005 --window-s 0.024 --records records.h5 --record Normal-01 --keep-baseline baseline.h5
+consumer baseline.h5 monitor --baseline baseline.h5 --records records.h5 --record Normal-02 --picture out.svg
 
 # A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
