@@ -37,11 +37,13 @@ void Session::require_baseline() const {
 }
 
 std::string Session::picture() const {
+  History healthy;
+  for (const TrendPoint& point : trend_.healthy_points()) healthy.add(point);
   const Eigen::ArrayXd& limits = trend_.healthy()->limits_db();
   return picture_of({.machine = machine_,
                      .names = names_,
                      .limits_db = {limits.begin(), limits.end()},
-                     .healthy = trend_.healthy_points(),
+                     .healthy = healthy.points(),
                      .points = history_.points()});
 }
 

@@ -50,8 +50,8 @@ std::size_t window_of(const signal::Record& record, double rate_hz, double windo
       whole_snapshots ? shortest : static_cast<std::size_t>(std::llround(wished_s * rate_hz));
   if (length <= longest && length > 0) return length;
   throw Error(Exit::bad_input,
-              fmt::format("record {}: its longest piece has {} samples, but a window has {}; give "
-                          "a shorter --window-s",
+              fmt::format("record {}: its longest piece has {} samples, but a window has {}; use "
+                          "shorter windows (--window-s)",
                           record.name, longest, length));
 }
 

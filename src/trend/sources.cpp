@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/range.hpp"
@@ -143,7 +144,9 @@ Session session_of_record(cli::Stage& stage, const Sources& sources) {
   const double every_s = record.snapshot_interval_s ? 0 : 1;
   const std::string name = info.name + " " + record.name;
   if (!sources.baseline.empty()) {
-    return {{open_baseline(stage, sources, rate_hz), sources.options, every_s}, name, record};
+    Baseline baseline = open_baseline(stage, sources, rate_hz);
+    (void)window_of(record, rate_hz, baseline.meter.window_s());  // refuses too short snapshots
+    return {{std::move(baseline), sources.options, every_s}, name, record};
   }
   const FeatureMeter meter =
       meter_of({.sample_rate_hz = rate_hz,
