@@ -52,7 +52,7 @@ void Session::write_baseline(artefact::Writer& writer) const {
 }
 
 std::string Session::summary() const {
-  return fmt::format("{}: {} windows until {:.2f} h: {} alarm{}", machine_, trend_.windows(),
+  return fmt::format("{}: {} windows until {:.3g} h: {} alarm{}", machine_, trend_.windows(),
                      trend_.end_s() / 3600, trend_.alarms(), trend_.alarms() == 1 ? "" : "s");
 }
 

@@ -146,7 +146,7 @@ TEST_F(Trended, SnapshotsCountAtTheirTimes) {
   EXPECT_THAT(outcome.out, StartsWith("{\"time_s\": 7200.100, \"windows\": 1, "));
   EXPECT_THAT(outcome.out, HasSubstr("\"line\": \""));
   EXPECT_THAT(outcome.out, HasSubstr("{\"time_s\": 15000.100, "));
-  EXPECT_THAT(outcome.err, HasSubstr("fan run: 28 windows until 4.50 h: 1 alarm; first alarm at "
+  EXPECT_THAT(outcome.err, HasSubstr("fan run: 28 windows until 4.5 h: 1 alarm; first alarm at "
                                      "4.167 h, cause: "));
   EXPECT_THAT(bytes_of(folder_ / "trend.svg"), HasSubstr(">fan run: alarm at 4.17 h"));
 }
