@@ -76,9 +76,9 @@ void write(artefact::Writer& writer, const FeatureMeter& meter,
            const std::vector<Features>& windows) {
   writer.attribute("/", "sample_rate_hz", meter.rate_hz());
   writer.attribute("/", "window_samples", static_cast<std::int64_t>(meter.length()));
-  std::vector<double> levels;
-  for (const Features& window : windows) levels.push_back(window.level_db);
   const std::size_t n = windows.size();
+  std::vector<double> levels(n);
+  std::ranges::transform(windows, levels.begin(), &Features::level_db);
   writer.numbers("/level_db", levels);
   writer.numbers("/watched_db", flat(windows, &Features::watched_db), {n, meter.names().size()});
   writer.numbers("/shape_db", flat(windows, &Features::shape_db),

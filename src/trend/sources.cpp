@@ -96,7 +96,7 @@ void bind(cli::Stage& stage, Sources& sources) {
 void require_possible(const Sources& sources, bool has_classifier) {
   const int given = (has_classifier ? 1 : 0) + (sources.healthy_h > 0 ? 1 : 0) +
                     (sources.baseline.empty() ? 0 : 1);
-  if (given != 1) refuse("give exactly one of --classifier, --healthy and --baseline");
+  if (given != 1) refuse("exactly one of --classifier, --healthy and --baseline is required");
   const bool has_trend_only = !sources.records.empty() || !sources.record.empty() ||
                               !sources.description.empty() || !sources.picture.empty() ||
                               !sources.keep_baseline.empty() || sources.window_s > 0;
