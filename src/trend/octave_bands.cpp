@@ -44,10 +44,11 @@ Eigen::ArrayXd octave_levels_db(const Eigen::RowVectorXd& window) {
                             window.size(), fewest_samples));
   }
   const Eigen::ArrayXd power = spectra::mean_power_spectrum(window);
-  std::vector<Eigen::Index> bins;
-  for (const double edge : edges()) {
-    bins.push_back(static_cast<Eigen::Index>(std::ceil(edge * static_cast<double>(window.size()))));
-  }
+  const std::array<double, octaves + 1> shares = edges();
+  std::vector<Eigen::Index> bins(shares.size());
+  std::ranges::transform(shares, bins.begin(), [&](double share) {
+    return static_cast<Eigen::Index>(std::ceil(share * static_cast<double>(window.size())));
+  });
   const double floor = lowest_band * power.sum();
   return spectra::band_means(power, bins).unaryExpr([&](double mean) {
     return 10 * std::log10(mean + floor);
