@@ -167,11 +167,12 @@ void draw_times(Svg& svg, const Shown& shown, const Time& time, const Panel& pan
 
 void draw_axes(Svg& svg, const Time& time, const Panel& panel, const Axis& y, bool with_times) {
   const double step = inspection::tick_step(y.high - y.low);
-  for (double tick = std::ceil(y.low / step) * step; tick <= y.high; tick += step) {
+  const auto last = static_cast<int>(std::floor(y.high / step));
+  for (int i = static_cast<int>(std::ceil(y.low / step)); i <= last; ++i) {
+    const double tick = i * step;
     svg.line({panel.left, y.at(tick)}, {panel.left + panel.width, y.at(tick)},
              inspection::grid_stroke);
-    svg.text({panel.left - 6, y.at(tick) + 4},
-             fmt::format("{:g}", std::abs(tick) < step / 2 ? 0 : tick), Anchor::end);
+    svg.text({panel.left - 6, y.at(tick) + 4}, fmt::format("{:g}", tick), Anchor::end);
   }
   const double time_step = inspection::tick_step(time.axis.high);
   for (int i = 0; i * time_step <= time.axis.high; ++i) {
