@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/range.hpp"
 #include "diagnosis/novelty.hpp"
 #include "signal/amplitude.hpp"
@@ -15,12 +16,6 @@ namespace {
 
 /// Largest number of windows classified at once: enough to be fast, few enough to save memory.
 constexpr std::size_t most_at_once = 64;
-
-/// Larger samples count as not finite. Windows are 32-bit floats, up to 3e38, and resampling may
-/// exceed the samples of the stream.
-constexpr double largest_sample = 1e36;
-
-bool is_sample(double x) { return std::abs(x) <= largest_sample; }
 
 double windows_per_hour(const signal::DatasetInfo& info, std::size_t stride) {
   return 3600 * info.sample_rate_hz / static_cast<double>(stride);
@@ -35,10 +30,8 @@ void bind(const cli::Options& command, MonitorOptions& options) {
                  "order of this machine (be: big-endian), without a header; wav with one channel; "
                  "or text, one number per line");
   command.add("--sample-rate-hz", options.sample_rate_hz, "sample rate of the stream, Hz")
-      .required()
       .check(cli::within(signal::ranges::sample_rate_hz));
   command.add("--speed-rpm", options.speed_rpm, "shaft speed, rpm")
-      .required()
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   command
       .add("--stride", options.stride,
@@ -53,15 +46,22 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   bind(command.in_group("Alarm"), options.alarm);
 }
 
+void require_given(const MonitorOptions& options) {
+  const auto refuse = [](const std::string& option) {
+    throw Error(Exit::usage, option + " is required (see monitor --help)");
+  };
+  if (options.sample_rate_hz <= 0) refuse("--sample-rate-hz");
+  if (options.speed_rpm <= 0) refuse("--speed-rpm");
+}
+
 Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Predict predict,
                  const MonitorOptions& options, const std::string& stream)
     : info_(info),
       length_(length),
       predict_(std::move(predict)),
-      rate_hz_(options.sample_rate_hz),
       speed_rpm_(options.speed_rpm),
-      decoder_(options.format, stream, options.sample_rate_hz),
-      resampler_(rate_hz_, info.sample_rate_hz),
+      feed_(options.format, stream, options.sample_rate_hz),
+      resampler_(options.sample_rate_hz, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
       judge_(info,
              Alarm(options.alarm,
@@ -70,48 +70,40 @@ Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Predict pr
 
 double Monitor::window_s() const { return static_cast<double>(length_) / info_.sample_rate_hz; }
 
-double Monitor::signal_s() const { return static_cast<double>(samples_) / rate_hz_; }
-
 void Monitor::add(std::span<const std::byte> bytes, const Report& report) {
-  decoded_.clear();
-  decoder_.add(bytes, decoded_);
-  take(decoded_, report);
+  feed_.add(
+      bytes, [&](std::span<const double> samples) { judge_samples(samples, report); },
+      [&] { begin_anew(); });
 }
 
-void Monitor::take(std::span<const double> samples, const Report& report) {
-  while (!samples.empty()) {
-    const auto first_bad = std::ranges::find_if_not(samples, is_sample);
-    const auto good = static_cast<std::size_t>(first_bad - samples.begin());
-    resampled_.clear();
-    resampler_.add(samples.first(good), resampled_);
-    samples_ += good;
-    judge_windows(report);
-    samples = samples.subspan(good);
-    if (samples.empty()) return;
-    const auto next_good = std::ranges::find_if(samples, is_sample);
-    const auto bad = static_cast<std::size_t>(next_good - samples.begin());
-    samples_ += bad;
-    not_finite_ += bad;
-    samples = samples.subspan(bad);
-    begin_anew();
-  }
+void Monitor::take(std::span<const std::byte> bytes, const WriteLine& write) {
+  add(bytes, [&](const Decision& decision) { write(json_line(decision, info_)); });
+}
+
+void Monitor::end(const WriteLine& write) {
+  finish([&](const Decision& decision) { write(json_line(decision, info_)); });
+}
+
+void Monitor::judge_samples(std::span<const double> samples, const Report& report) {
+  resampled_.clear();
+  resampler_.add(samples, resampled_);
+  judge_windows(report);
 }
 
 void Monitor::skip() {
-  decoder_.restart();
+  feed_.restart();
   begin_anew();
 }
 
 void Monitor::begin_anew() {
-  resampler_ = signal::StreamResampler(rate_hz_, info_.sample_rate_hz);
+  resampler_ = signal::StreamResampler(feed_.rate_hz(), info_.sample_rate_hz);
   cutter_.restart();
-  started_at_s_ = signal_s();
+  started_at_s_ = feed_.signal_s();
 }
 
 void Monitor::finish(const Report& report) {
-  decoded_.clear();
-  decoder_.finish(decoded_);
-  take(decoded_, report);
+  feed_.finish([&](std::span<const double> samples) { judge_samples(samples, report); },
+               [&] { begin_anew(); });
   resampled_.clear();
   resampler_.finish(resampled_);
   judge_windows(report);

@@ -12,14 +12,15 @@
 #include "monitor/decision.hpp"
 #include "monitor/judge.hpp"
 #include "monitor/samples.hpp"
+#include "monitor/stream_monitor.hpp"
 #include "monitor/window_cutter.hpp"
 #include "signal/resample.hpp"
 
 namespace piae::monitor {
 
 struct MonitorOptions {
-  double sample_rate_hz = 0;  ///< required; rate of the stream
-  double speed_rpm = 0;       ///< required; speed of the shaft
+  double sample_rate_hz = 0;  ///< of the stream; 0: not given
+  double speed_rpm = 0;       ///< of the shaft; 0: not given
   SampleFormat format = SampleFormat::f32;
   std::size_t stride = 0;  ///< samples between the starts of two windows; 0: their length
   double every_s = 1;      ///< seconds of the stream between two decisions; 0: one for each window
@@ -28,9 +29,12 @@ struct MonitorOptions {
 
 void bind(const cli::Options& command, MonitorOptions& options);
 
+/// Throws Error(usage) if rate or speed is not given.
+void require_given(const MonitorOptions& options);
+
 /// Judges a stream of raw samples window by window, as the samples arrive. Keeps only the samples
 /// that the next window needs. The decisions do not depend on how the stream was cut into pieces.
-class Monitor {
+class Monitor final : public StreamMonitor {
  public:
   /// Takes the classifier's `info` and `length` (samples in a window); `predict` returns its
   /// predictions. `stream` is the name in messages.
@@ -39,28 +43,23 @@ class Monitor {
 
   using Report = std::function<void(const Decision&)>;
 
-  /// Adds the next bytes. Samples that are not finite or exceed 1e36, and lines of text that are
-  /// not a number, are a gap: no window spans a gap. Throws like SampleDecoder::add.
+  /// Adds the next bytes. No window spans a gap (sample_feed.hpp). Throws like SampleDecoder::add.
   void add(std::span<const std::byte> bytes, const Report& report);
-  /// Marks a break: the next bytes do not continue the previous ones.
-  void skip();
   /// Judges the rest at the end of the stream.
   void finish(const Report& report);
 
+  void take(std::span<const std::byte> bytes, const WriteLine& write) override;
+  void skip() override;
+  void end(const WriteLine& write) override;
+  [[nodiscard]] const SampleFeed& feed() const override { return feed_; }
+  [[nodiscard]] std::size_t windows() const override { return judge_.windows(); }
+  [[nodiscard]] std::size_t alarms() const override { return judge_.alarms(); }
+  [[nodiscard]] double window_s() const override;
+
   [[nodiscard]] const Judge& judge() const { return judge_; }
-  /// Returns the number of samples so far, at the stream's own rate.
-  [[nodiscard]] std::uint64_t samples() const { return samples_; }
-  [[nodiscard]] double signal_s() const;
-  [[nodiscard]] double rate_hz() const { return rate_hz_; }
-  [[nodiscard]] double window_s() const;
-  /// Returns the number of samples that are a gap, without lines of text that are not a number.
-  [[nodiscard]] std::uint64_t samples_not_finite() const {
-    return not_finite_ - decoder_.text().garbled();
-  }
-  [[nodiscard]] const SampleDecoder& decoder() const { return decoder_; }
 
  private:
-  void take(std::span<const double> samples, const Report& report);
+  void judge_samples(std::span<const double> samples, const Report& report);
   void begin_anew();
   /// A window of the stream. Silent (constant) windows are not passed to the classifier.
   struct Cut {
@@ -74,17 +73,13 @@ class Monitor {
   signal::DatasetInfo info_;
   std::size_t length_;
   Predict predict_;
-  double rate_hz_;
   double speed_rpm_;
-  SampleDecoder decoder_;
+  SampleFeed feed_;
   signal::StreamResampler resampler_;
   WindowCutter cutter_;
   Judge judge_;
 
   double started_at_s_ = 0;  ///< stream time of the cutter's sample 0
-  std::uint64_t samples_ = 0;
-  std::uint64_t not_finite_ = 0;
-  std::vector<double> decoded_;
   std::vector<double> resampled_;
 };
 

@@ -64,20 +64,20 @@ std::string counted(std::uint64_t n, const std::string& one) {
 }
 
 /// Returns "; is it --format f32be?" if the samples look like another format.
-std::string other_format(const Monitor& monitor) {
-  const std::string likelier = monitor.decoder().likelier_format();
+std::string other_format(const StreamMonitor& monitor) {
+  const std::string likelier = monitor.feed().decoder().likelier_format();
   return likelier.empty() ? "" : fmt::format("; is it --format {}?", likelier);
 }
 
 /// Returns the counts of lost samples. Bytes that a WAV header promises count only if the stream
 /// has `ended`.
-std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
+std::string lost(const StreamMonitor& monitor, std::size_t breaks, bool ended) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
-  const SampleDecoder& decoder = monitor.decoder();
+  const SampleDecoder& decoder = monitor.feed().decoder();
   if (breaks > 0) add("the file restarted " + counted(breaks, "time"));
-  if (monitor.samples_not_finite() > 0) {
-    add(counted(monitor.samples_not_finite(), "sample") + " not finite or beyond 1e36");
+  if (monitor.feed().samples_not_finite() > 0) {
+    add(counted(monitor.feed().samples_not_finite(), "sample") + " not finite or beyond 1e36");
   }
   if (decoder.text().garbled() > 0) {
     add(counted(decoder.text().garbled(), "line") + " not a number");
@@ -92,14 +92,14 @@ std::string lost(const Monitor& monitor, std::size_t breaks, bool ended) {
 /// Reports the first gap of each kind at once, because a stream may last for days.
 class Gaps {
  public:
-  explicit Gaps(const Monitor& monitor) : monitor_(&monitor) {}
+  explicit Gaps(const StreamMonitor& monitor) : monitor_(&monitor) {}
 
   void samples_came() {
     constexpr double windows_to_wait = 10;
-    const bool has_windows = monitor_->judge().windows() > 0;
-    const bool has_waited = monitor_->signal_s() > windows_to_wait * monitor_->window_s();
+    const bool has_windows = monitor_->windows() > 0;
+    const bool has_waited = monitor_->feed().signal_s() > windows_to_wait * monitor_->window_s();
     if (!has_windows && !has_waited) return;
-    const TextSamples& text = monitor_->decoder().text();
+    const TextSamples& text = monitor_->feed().decoder().text();
     if (text.garbled() > 0 && !std::exchange(reported_lines_, true)) {
       spdlog::warn("{}; such lines are gaps", text.first_garbled());
     }
@@ -107,40 +107,42 @@ class Gaps {
       const std::string other = other_format(*monitor_);
       if (!other.empty()) spdlog::warn("the samples have unusual magnitudes{}", other);
     }
-    if (has_windows || monitor_->samples_not_finite() == 0) return;
+    if (has_windows || monitor_->feed().samples_not_finite() == 0) return;
     if (!std::exchange(reported_samples_, true)) {
       spdlog::warn("after {:.1f} s of signal, non-finite samples broke every window{}",
-                   monitor_->signal_s(), other_format(*monitor_));
+                   monitor_->feed().signal_s(), other_format(*monitor_));
     }
   }
 
  private:
-  const Monitor* monitor_;
+  const StreamMonitor* monitor_;
   bool reported_lines_ = false;
   bool reported_format_ = false;
   bool reported_samples_ = false;
 };
 
-std::string summary_of(const Monitor& monitor, const std::string& until) {
+std::string summary_of(const StreamMonitor& monitor, const std::string& until) {
   return fmt::format("{} in {:.1f} s of signal until {}: {}; ",
-                     counted(monitor.judge().windows(), "window"), monitor.signal_s(), until,
-                     counted(monitor.judge().alarms(), "alarm"));
+                     counted(monitor.windows(), "window"), monitor.feed().signal_s(), until,
+                     counted(monitor.alarms(), "alarm"));
 }
 
-void require_windows(const Monitor& monitor, const Input& input) {
-  if (monitor.judge().windows() > 0) return;
-  const TextSamples& text = monitor.decoder().text();
+void require_windows(const StreamMonitor& monitor, const Input& input) {
+  if (monitor.windows() > 0) return;
+  const TextSamples& text = monitor.feed().decoder().text();
   if (text.garbled() > 0) throw Error(Exit::bad_input, text.first_garbled());
-  if (monitor.samples_not_finite() > 0) {
+  if (monitor.feed().samples_not_finite() > 0) {
     const std::string other = other_format(monitor);
     throw Error(Exit::bad_input,
                 fmt::format("{}: non-finite samples broke every window ({} of {}){}", input.name(),
-                            monitor.samples_not_finite(), counted(monitor.samples(), "sample"),
+                            monitor.feed().samples_not_finite(),
+                            counted(monitor.feed().samples(), "sample"),
                             other.empty() ? "; is --format right?" : other));
   }
-  throw Error(Exit::bad_input, fmt::format("{}: ended after {}, {:.3g} s; a window takes {:.3g} s",
-                                           input.name(), counted(monitor.samples(), "sample"),
-                                           monitor.signal_s(), monitor.window_s()));
+  throw Error(Exit::bad_input,
+              fmt::format("{}: ended after {}, {:.3g} s; a window takes {:.3g} s", input.name(),
+                          counted(monitor.feed().samples(), "sample"), monitor.feed().signal_s(),
+                          monitor.window_s()));
 }
 
 }  // namespace
@@ -153,17 +155,17 @@ void bind(const cli::Options& command, WatchOptions& options) {
       .check(cli::within(late_s));
 }
 
-std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& info,
-                  const WatchOptions& options, const std::function<bool()>& stopped,
+std::string watch(Input& input, StreamMonitor& monitor, const WatchOptions& options,
+                  const std::function<bool()>& stopped,
                   const std::function<void(const std::string&)>& write) {
   std::vector<std::byte> buffer(bytes_at_once);
   std::string lines;
-  const auto report = [&](const Decision& decision) { lines += json_line(decision, info); };
+  const auto add_line = [&](const std::string& line) { lines += line; };
   const auto write_lines = [&] {
     if (!lines.empty()) write(lines);
     lines.clear();
   };
-  Punctuality punctuality(monitor.rate_hz(), options);
+  Punctuality punctuality(monitor.feed().rate_hz(), options);
   Gaps gaps(monitor);
   std::size_t breaks = 0;
   bool ended = false;
@@ -171,19 +173,19 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
     const Input::Piece piece = input.read(buffer);
     switch (piece.event) {
       case Input::Event::bytes:
-        monitor.add(piece.bytes, report);
-        punctuality.samples_came(monitor.samples(), monitor.signal_s());
+        monitor.take(piece.bytes, add_line);
+        punctuality.samples_came(monitor.feed().samples(), monitor.feed().signal_s());
         gaps.samples_came();
         break;
       case Input::Event::none:
-        punctuality.nothing_came(monitor.signal_s());
+        punctuality.nothing_came(monitor.feed().signal_s());
         break;
       case Input::Event::broken:
         ++breaks;
         spdlog::warn(
             "{}: was truncated or replaced after {:.1f} s of signal, and is read from its start; "
             "samples may be lost",
-            one_line(input.name()), monitor.signal_s());
+            one_line(input.name()), monitor.feed().signal_s());
         monitor.skip();
         break;
       case Input::Event::end:
@@ -192,7 +194,7 @@ std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& inf
     }
     write_lines();
   }
-  monitor.finish(report);
+  monitor.end(add_line);
   write_lines();
   if (ended) require_windows(monitor, input);
   return summary_of(monitor, ended ? "its end" : "it was stopped") + lost(monitor, breaks, ended) +

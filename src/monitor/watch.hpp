@@ -4,7 +4,7 @@
 #include <string>
 
 #include "monitor/input.hpp"
-#include "monitor/monitor.hpp"
+#include "monitor/stream_monitor.hpp"
 
 namespace piae::monitor {
 
@@ -18,8 +18,8 @@ void bind(const cli::Options& command, WatchOptions& options);
 /// Reads a stream until it ends or `stopped` returns true, and passes the decisions to `write` as
 /// lines. Reports gaps and delays on standard error at once. Returns a summary line: windows,
 /// alarms and lost samples. Throws Error(bad_input) if the stream ends before a window is full.
-std::string watch(Input& input, Monitor& monitor, const signal::DatasetInfo& info,
-                  const WatchOptions& options, const std::function<bool()>& stopped,
+std::string watch(Input& input, StreamMonitor& monitor, const WatchOptions& options,
+                  const std::function<bool()>& stopped,
                   const std::function<void(const std::string&)>& write);
 
 }  // namespace piae::monitor

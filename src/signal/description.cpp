@@ -202,6 +202,19 @@ void require_sha256(const TomlTable& record, const std::string& sum) {
   }
 }
 
+/// Reads the time between the starts of two files, which only a record of several files has.
+std::optional<double> read_snapshot_interval(TomlTable& record,
+                                             const std::vector<std::string>& files) {
+  const auto interval_s =
+      record.optional_number("snapshot_interval_s", ranges::snapshot_interval_s);
+  if (interval_s && files.size() == 1 && !is_pattern(files.front())) {
+    record.refuse("snapshot_interval_s",
+                  "is the time between two files, but this record has only one; give a list or a "
+                  "pattern of files, or remove it");
+  }
+  return interval_s;
+}
+
 RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   RecordSource record;
   record.label = label_of(info, table);
@@ -216,6 +229,7 @@ RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   if (record.defect_size_mm) require_possible_defect(info, c, *record.defect_size_mm, table);
   record.unit_m_per_s2 = table.optional_number("unit_m_per_s2", ranges::unit_m_per_s2);
   record.offset = table.optional_number("offset", ranges::acceleration).value_or(0);
+  record.snapshot_interval_s = read_snapshot_interval(table, record.files);
   record.sha256 = table.optional_text("sha256");
   require_sha256(table, record.sha256);
   record.url = read_url(table, record.files);

@@ -30,6 +30,8 @@ struct RecordSource {
   /// Acceleration of one unit of the files; if empty, the data set's.
   std::optional<double> unit_m_per_s2 = {};
   double offset = 0;  ///< the files' value at zero acceleration
+  /// Time between the starts of two successive files, if they are snapshots of a longer run.
+  std::optional<double> snapshot_interval_s = {};
 
   /// Returns the names and patterns in one line.
   [[nodiscard]] std::string file_text() const;
@@ -63,6 +65,7 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///                                 # missing if each record has its own
 ///     unit_m_per_s2 = 0.01        # optional, default: the data set's; with
 ///     offset = 2048               # the value at zero acceleration, as in counts
+///     snapshot_interval_s = 10    # optional: the files start at this distance, for monitor
 ///     sha256 = "..."              # optional
 ///     url = "https://..."         # optional
 ///     [transfer]                  # optional: faults known in one condition, tested in another

@@ -1,5 +1,7 @@
 #include "signal/ingest.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -52,6 +54,21 @@ void require_finite(const fs::path& file, const RecordSource& source,
   refuse_record(file, source,
                 source.variable + " is NaN, infinite or beyond 32 bits at sample " +
                     std::to_string(*beyond) + " (counted from 0)");
+}
+
+/// Refuses snapshots that last longer than the time between their starts.
+void require_apart(const fs::path& file, const RecordSource& source,
+                   const std::vector<raw::Piece>& pieces) {
+  if (!source.snapshot_interval_s) return;
+  constexpr double rounding = 1 + 1e-9;
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const double length_s = static_cast<double>(pieces[i].samples) / source.sample_rate_hz;
+    if (length_s <= *source.snapshot_interval_s * rounding) continue;
+    refuse_record(file, source,
+                  fmt::format("file {} of {} lasts {:g} s, but the next one starts {:g} s after "
+                              "it; correct snapshot_interval_s or sample_rate_hz",
+                              i + 1, pieces.size(), length_s, *source.snapshot_interval_s));
+  }
 }
 
 /// Converts samples of a record's file to the unit of the data set.
@@ -134,7 +151,9 @@ Record RecordReader::resampled(const RecordSource& source, RawRecord raw) const 
                 .condition = info_.condition_called(source.condition),
                 .defect_size_mm = source.defect_size_mm,
                 .pieces = {},
+                .snapshot_interval_s = source.snapshot_interval_s,
                 .files = std::move(raw.files)};
+  require_apart(all, source, raw.pieces);
   if (source.sample_rate_hz == info_.sample_rate_hz) {
     for (const raw::Piece& piece : raw.pieces) record.pieces.push_back(piece.samples);
     record.signal = std::move(raw.samples);

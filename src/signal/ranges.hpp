@@ -15,6 +15,8 @@ inline constexpr Range described_rate_hz{.low = 1e-3, .high = 1e10, .unit = " Hz
 inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
 /// Range about a given speed in which it is taken from the signal (spectra/shaft_speed.hpp).
 inline constexpr Range speed_search_percent{.low = 0, .high = 10, .unit = " %"};
+/// Time between the starts of two snapshots: up to a year.
+inline constexpr Range snapshot_interval_s{.low = 1e-3, .high = 3.2e7, .unit = " s"};
 inline constexpr Range fault_order{.low = 1e-3, .high = 1e3};
 inline constexpr Range unit_m_per_s2{.low = 1e-9, .high = 1e9, .unit = " m/s^2"};
 /// A sample. Its square is still far below the limit of a double.

@@ -29,6 +29,9 @@ void write_record(artefact::Writer& writer, const Record& record, const DatasetI
     writer.attribute(path, "condition", info.conditions.at(condition).name);
   }
   if (record.defect_size_mm) writer.attribute(path, "defect_size_mm", *record.defect_size_mm);
+  if (record.snapshot_interval_s) {
+    writer.attribute(path, "snapshot_interval_s", *record.snapshot_interval_s);
+  }
   writer.attribute(path, "source", record.source);
   writer.attribute(path, "source_sha256", record.source_sha256);
   if (record.parameters) {
@@ -89,6 +92,10 @@ Record read_record(const artefact::Reader& reader, const std::string& name,
   record.condition = read_condition(reader, path, info);
   if (reader.has_attribute(path, "defect_size_mm")) {
     record.defect_size_mm = reader.real(path, "defect_size_mm", ranges::defect_size_mm);
+  }
+  if (reader.has_attribute(path, "snapshot_interval_s")) {
+    record.snapshot_interval_s =
+        reader.real(path, "snapshot_interval_s", ranges::snapshot_interval_s);
   }
   record.source = reader.text(path, "source");
   record.source_sha256 = reader.text(path, "source_sha256");

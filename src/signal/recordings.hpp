@@ -42,6 +42,8 @@ struct Record {
   /// Samples of the signal from each file, in order. A window does not cross from one piece into
   /// the next. Empty for a signal in one piece.
   std::vector<std::size_t> pieces = {};
+  /// Time between the starts of two successive pieces, if they are snapshots of a longer run.
+  std::optional<double> snapshot_interval_s = {};
   std::vector<SourceFile> files = {};  ///< not stored here: provenance names them
 
   /// Returns the lengths of the pieces; the signal's for a signal in one piece.
@@ -49,8 +51,8 @@ struct Record {
 };
 
 /// The content of records.h5 (kind "records"). Each record is an HDF5 dataset /records/<name>. Its
-/// attributes are label, rates, source and, if known, condition, own size and true parameters.
-/// /pieces/<name> holds the lengths of the pieces if there are several.
+/// attributes are label, rates, source and, if known, condition, own size, interval of snapshots
+/// and true parameters. /pieces/<name> holds the lengths of the pieces if there are several.
 struct Recordings {
   DatasetInfo info;
   std::vector<Record> records;  ///< in alphabetical order of their names

@@ -15,6 +15,7 @@
 #include "signal/recordings.hpp"
 #include "signal/roles.hpp"
 #include "signal/window_set.hpp"
+#include "trend/healthy.hpp"
 
 namespace piae::verification {
 
@@ -69,6 +70,10 @@ void check_classification(const Reader& reader, Splits& /*splits*/) {
   classification::require_classification(reader);
 }
 
+void check_baseline(const Reader& reader, Splits& /*splits*/) {
+  (void)trend::read_baseline(reader);
+}
+
 void check_model(const Reader& reader, Splits& /*splits*/) { augment::require_usable(reader); }
 
 /// Checks nothing: only the training that left a checkpoint knows its contents.
@@ -91,6 +96,7 @@ constexpr Kind kinds[] = {
     {"classifier", check_classifier},
     {"classification", check_classification},
     {"any-bearing", check_any_bearing},
+    {"baseline", check_baseline},
 };
 
 void check_content(const Reader& reader, Splits& splits) {

@@ -64,8 +64,8 @@ Monitored watched(const std::vector<float>& signal, const MonitorOptions& option
     monitor.add(bytes.subspan(at, std::min(piece, bytes.size() - at)), report);
   }
   monitor.finish(report);
-  watched.samples = monitor.samples();
-  watched.not_finite = monitor.samples_not_finite();
+  watched.samples = monitor.feed().samples();
+  watched.not_finite = monitor.feed().samples_not_finite();
   watched.silent = monitor.judge().silent_windows();
   return watched;
 }
@@ -132,7 +132,7 @@ TEST(Monitor, CutsNoWindowAcrossHugeSamples) {
     monitor.add(std::as_bytes(std::span(signal)), report);
     monitor.finish(report);
     EXPECT_TRUE(finite) << rate_hz;
-    EXPECT_EQ(monitor.samples_not_finite(), 402U);
+    EXPECT_EQ(monitor.feed().samples_not_finite(), 402U);
     const auto spans_the_gap = [&](double end_s) {
       const double begin = (end_s - monitor.window_s()) * rate_hz;
       return begin < 4399.5 && end_s * rate_hz > 4000.5;
@@ -155,9 +155,9 @@ TEST(Monitor, CutsNoWindowAcrossInvalidLines) {
   monitor.add(std::as_bytes(std::span(text)), [&](const Decision& d) { decisions.push_back(d); });
   EXPECT_EQ(text_of(decisions),
             "0.10 Normal off; 0.23 Normal off; 0.33 Normal off; 0.43 Normal off; ");
-  EXPECT_EQ(monitor.samples(), 450U);
-  EXPECT_EQ(monitor.samples_not_finite(), 1U);
-  EXPECT_EQ(monitor.decoder().text().garbled(), 2U);
+  EXPECT_EQ(monitor.feed().samples(), 450U);
+  EXPECT_EQ(monitor.feed().samples_not_finite(), 1U);
+  EXPECT_EQ(monitor.feed().decoder().text().garbled(), 2U);
 }
 
 TEST(Monitor, CutsNoWindowAcrossABreak) {
@@ -167,9 +167,9 @@ TEST(Monitor, CutsNoWindowAcrossABreak) {
   std::vector<Decision> decisions;
   const auto report = [&](const Decision& d) { decisions.push_back(d); };
   monitor.add(std::as_bytes(std::span(signal)).first(599), report);
-  EXPECT_EQ(monitor.decoder().waiting(), 3U);
+  EXPECT_EQ(monitor.feed().decoder().waiting(), 3U);
   monitor.skip();
-  EXPECT_EQ(monitor.decoder().waiting(), 0U);
+  EXPECT_EQ(monitor.feed().decoder().waiting(), 0U);
   monitor.add(std::as_bytes(std::span(signal)), report);
   EXPECT_EQ(text_of(decisions), "0.10 Normal off; 0.24 Normal off; ");
 }

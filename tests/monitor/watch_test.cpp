@@ -8,6 +8,7 @@
 
 #include "base/random.hpp"
 #include "monitor/judged.hpp"
+#include "monitor/monitor.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
@@ -42,7 +43,7 @@ Watched watched_bytes(const std::string& bytes, SampleFormat format = SampleForm
   Monitor monitor(rig(), 100, all_healthy, of_stream, "raw.f32");
   Watched watched;
   watched.summary = watch(
-      input, monitor, rig(), options, [=] { return stopped; },
+      input, monitor, options, [=] { return stopped; },
       [&](const std::string& text) { watched.lines += text; });
   return watched;
 }

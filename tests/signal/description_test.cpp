@@ -135,6 +135,22 @@ TEST(Description, AllowsAUnitForEachRecord) {
   EXPECT_EQ(d.records[0].offset, 0);
 }
 
+TEST(Description, AllowsSnapshotsInARecordOfManyFiles) {
+  const Folder folder;
+  const auto read = [&](const std::string& file, const std::string& interval_s) {
+    const std::string lines = "file = " + file + "\nsnapshot_interval_s = " + interval_s;
+    const std::string text = replaced(good, "file = \"rig/b.csv\"", lines);
+    return read_description(folder.write("rig.toml", text));
+  };
+  const Description d = read("\"rig/b_*.csv\"", "10");
+  EXPECT_EQ(d.records[0].snapshot_interval_s, 10);
+  EXPECT_EQ(d.records[2].snapshot_interval_s, std::nullopt);
+  EXPECT_EQ(read("[\"rig/b.csv\", \"rig/c.csv\"]", "0.5").records[0].snapshot_interval_s, 0.5);
+  EXPECT_ERROR(read("\"rig/b.csv\"", "10"), Exit::bad_input, "this record has only one");
+  EXPECT_ERROR(read("\"rig/b_*.csv\"", "0"), Exit::bad_input, "snapshot_interval_s");
+  EXPECT_ERROR(read("\"rig/b_*.csv\"", "nan"), Exit::bad_input, "snapshot_interval_s");
+}
+
 TEST(Description, AllowsManyFilesInARecord) {
   const Folder folder;
   const std::string text =

@@ -93,6 +93,17 @@ TEST(Ingest, ReadsManyFilesAsOneRecordInNumericOrder) {
   EXPECT_EQ(std::vector<double>(record.signal.begin() + 6, record.signal.end()), last);
 }
 
+/// The files last 4, 2 and 3 ms.
+TEST(Ingest, RefusesSnapshotsThatOverlap) {
+  const Folder folder;
+  Description d = many_files_in(folder);
+  d.records[0].snapshot_interval_s = 0.004;
+  EXPECT_EQ(ingest(d, folder.path()).records[0].snapshot_interval_s, 0.004);
+  d.records[0].snapshot_interval_s = 0.0039;
+  EXPECT_ERROR(ingest(d, folder.path()), Exit::bad_input,
+               "file 1 of 3 lasts 0.004 s, but the next one starts 0.0039 s after it");
+}
+
 /// Compares with the output of `sha256sum run/acc_1.csv run/acc_2.csv run/acc_10.csv | sha256sum`.
 TEST(Ingest, ChecksManyFilesByTheDigestOfTheirList) {
   const Folder folder;

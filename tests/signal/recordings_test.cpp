@@ -67,6 +67,18 @@ TEST(Recordings, AreReadBackWithPieces) {
   }
 }
 
+TEST(Recordings, AreReadBackWithTheIntervalOfSnapshots) {
+  const Folder folder;
+  Recordings in = counting_recordings(10);
+  in.records[2].pieces = {3, 7};
+  in.records[2].snapshot_interval_s = 100;
+  const Recordings out = load(save(folder, in));
+  EXPECT_EQ(out.records[2].snapshot_interval_s, 100);
+  EXPECT_EQ(out.records[3].snapshot_interval_s, std::nullopt);
+  in.records[2].snapshot_interval_s = 0;
+  EXPECT_ERROR(load(save(folder, in)), Exit::bad_input, "snapshot_interval_s");
+}
+
 TEST(Recordings, AreReadBackWithConditionsAndSizes) {
   const Folder folder;
   Recordings in = counting_transfer(10);

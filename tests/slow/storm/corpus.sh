@@ -166,6 +166,10 @@ done
 stage teach --machines 3 --output any-bearing.h5
 consumer any-bearing.h5 "${baseline[@]}" --classifier any-bearing --network any-bearing.h5 --output out.h5
 
+# Keeps the baseline of a machine, with fault lines: eight windows of a record.
+stage monitor --healthy 0.00005 --window-s 0.024 --records records.h5 --record Normal-01 --keep-baseline baseline.h5
+consumer baseline.h5 monitor --baseline baseline.h5 --records records.h5 --record Normal-02 --picture out.svg
+
 # A stopped training leaves a checkpoint.
 long=(--method vae --known C.h5 --seed 0 --epochs 400 --width 4 --output long.h5)
 for delay in 0.1 0.2 0.05 0.4 0.02 0.8; do

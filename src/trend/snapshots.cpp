@@ -1,0 +1,70 @@
+#include "trend/snapshots.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace piae::trend {
+
+namespace {
+
+constexpr double default_window_s = 1;
+
+/// Passes on the first window of a piece, or all of them.
+void cut(std::span<const double> piece, double start_s, double rate_hz, std::size_t length,
+         bool first_only, const std::function<void(double, std::span<const float>)>& take) {
+  for (std::size_t at = 0; at + length <= piece.size(); at += length) {
+    const auto samples = piece.subspan(at, length);
+    std::vector<float> window(length);
+    std::ranges::transform(samples, window.begin(), [](double x) { return static_cast<float>(x); });
+    take(start_s + static_cast<double>(at) / rate_hz, window);
+    if (first_only) return;
+  }
+}
+
+}  // namespace
+
+const signal::Record& record_called(const signal::Recordings& recordings, const std::string& name) {
+  if (name.empty() && recordings.records.size() == 1) return recordings.records.front();
+  const auto found = std::ranges::find(recordings.records, name, &signal::Record::name);
+  if (found != recordings.records.end()) return *found;
+  std::string names;
+  for (const signal::Record& record : recordings.records) {
+    names += (names.empty() ? "" : ", ") + record.name;
+  }
+  throw Error(Exit::bad_input, name.empty()
+                                   ? "there are several records; choose one with --record: " + names
+                                   : "there is no record " + name + "; there are " + names);
+}
+
+std::size_t window_of(const signal::Record& record, double rate_hz, double window_s) {
+  const std::vector<std::size_t> pieces = record.piece_lengths();
+  const auto [shortest, longest] = std::ranges::minmax(pieces);
+  const bool whole_snapshots = record.snapshot_interval_s && window_s == 0;
+  const double wished_s = window_s == 0 ? default_window_s : window_s;
+  const auto length =
+      whole_snapshots ? shortest : static_cast<std::size_t>(std::llround(wished_s * rate_hz));
+  if (length <= longest && length > 0) return length;
+  throw Error(Exit::bad_input,
+              fmt::format("record {}: its longest piece has {} samples, but a window has {}; use "
+                          "shorter windows (--window-s)",
+                          record.name, longest, length));
+}
+
+void for_each_window(const signal::Record& record, double rate_hz, std::size_t length,
+                     const std::function<void(double, std::span<const float>)>& take) {
+  std::span<const double> rest = record.signal;
+  double start_s = 0;
+  for (const std::size_t samples : record.piece_lengths()) {
+    const bool is_snapshot = record.snapshot_interval_s.has_value();
+    cut(rest.first(samples), start_s, rate_hz, length, is_snapshot, take);
+    start_s += is_snapshot ? *record.snapshot_interval_s : static_cast<double>(samples) / rate_hz;
+    rest = rest.subspan(samples);
+  }
+}
+
+}  // namespace piae::trend

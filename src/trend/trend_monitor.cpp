@@ -1,0 +1,53 @@
+#include "trend/trend_monitor.hpp"
+
+#include <utility>
+
+namespace piae::trend {
+
+TrendMonitor::TrendMonitor(Trend& trend, monitor::SampleFormat format, const std::string& stream,
+                           Trend::Report report)
+    : trend_(trend),
+      names_(trend.meter().names()),
+      feed_(format, stream, trend.meter().rate_hz()),
+      cutter_(trend.meter().length(), trend.meter().length()),
+      report_(std::move(report)) {}
+
+Trend::Report TrendMonitor::reporting(const WriteLine& write) const {
+  return [this, &write](const TrendPoint& point) {
+    write(json_line(point, names_));
+    report_(point);
+  };
+}
+
+void TrendMonitor::judge(std::span<const double> samples, const WriteLine& write) {
+  cutter_.add(samples);
+  const Trend::Report report = reporting(write);
+  while (const auto window = cutter_.next()) {
+    const double start_s = static_cast<double>(window->first_sample) / feed_.rate_hz();
+    trend_.add(started_at_s_ + start_s, window->samples, report);
+  }
+}
+
+void TrendMonitor::take(std::span<const std::byte> bytes, const WriteLine& write) {
+  feed_.add(
+      bytes, [&](std::span<const double> samples) { judge(samples, write); },
+      [&] { begin_anew(); });
+}
+
+void TrendMonitor::skip() {
+  feed_.restart();
+  begin_anew();
+}
+
+void TrendMonitor::begin_anew() {
+  cutter_.restart();
+  started_at_s_ = feed_.signal_s();
+}
+
+void TrendMonitor::end(const WriteLine& write) {
+  feed_.finish([&](std::span<const double> samples) { judge(samples, write); },
+               [&] { begin_anew(); });
+  trend_.finish(reporting(write));
+}
+
+}  // namespace piae::trend
