@@ -21,7 +21,7 @@ install(DIRECTORY pipeline jobs DESTINATION ${home} COMPONENT programs USE_SOURC
         REGEX "pipeline/(lint|build|deps)\\.sh$" EXCLUDE)
 install(DIRECTORY results/published DESTINATION ${home}/results COMPONENT programs)
 install(DIRECTORY results/reference DESTINATION ${home}/results COMPONENT programs
-        FILES_MATCHING PATTERN "*.csv" PATTERN figures EXCLUDE PATTERN readings EXCLUDE)
+        FILES_MATCHING PATTERN "*.csv" PATTERN "any-bearing.h5" PATTERN figures EXCLUDE PATTERN readings EXCLUDE)
 
 file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} *.md CITATION.cff docs/* results/*.md jobs/*.md pipeline/datasets/*.md)
 foreach(page IN LISTS pages)

@@ -14,7 +14,7 @@ namespace piae::machines {
 /// Settings of lessons about drawn machines.
 struct LessonOptions {
   int machines = 600;
-  /// Of each machine: windows of the healthy reference; healthy windows of another day; windows of
+  /// Windows of each machine: of the healthy reference; healthy ones of another day; those of
   /// each fault type.
   int reference = 24;
   int healthy = 10;
