@@ -189,6 +189,7 @@ Choice choose(const Experiment& experiment, const Request& request) {
   if (choice.only_looks && !request.held.empty()) lists.datasets = request.held;
   if (request.datasets) lists.datasets = words_in(*request.datasets);
   require_words("DATASETS", lists.datasets, names_of(experiment.datasets));
+  take_rivals(experiment, request.goals, lists);
   choice.methods = std::move(lists.methods);
   choice.ratios = std::move(lists.ratios);
   choice.classifiers = std::move(lists.classifiers);
