@@ -1,8 +1,9 @@
 # Names the commit of a folder of sources, for provenance: "262a408bc461", or "262a408bc461-changed" if tracked files
 # differ from it; empty if the folder is not in a git repository.
+find_package(Git QUIET)
+
 function(name_commit folder variable)
   set(commit "")
-  find_package(Git QUIET)
   if(Git_FOUND)
     set(git ${GIT_EXECUTABLE} --no-optional-locks -C ${folder})
     execute_process(COMMAND ${git} rev-parse --short=12 HEAD
