@@ -116,6 +116,15 @@ std::vector<settings::Group> groups_of(const Words& datasets, const Experiment& 
   return found.size() == datasets.size() ? groups : experiment.groups;
 }
 
+/// True if one of the groups shows a method by this classifier that is not a ceiling.
+bool judges_methods(const std::vector<settings::Group>& groups, const std::string& classifier) {
+  return std::ranges::any_of(groups, [&](const settings::Group& group) {
+    return std::ranges::any_of(augment::catalogue(), [&](const augment::CatalogueEntry& entry) {
+      return !augment::is_ceiling(entry.name) && group.choices.shows(entry.name, classifier);
+    });
+  });
+}
+
 bool is_transfer(const Experiment& experiment, const std::string& name) {
   const Dataset* const dataset = experiment.find(name);
   return dataset != nullptr && dataset->is_transfer;
@@ -166,7 +175,10 @@ void take_rivals(const Experiment& experiment, const Words& goals, Lists& lists)
   const bool all = std::ranges::all_of(
       lists.datasets, [&](const std::string& name) { return is_transfer(experiment, name); });
   if (!may || !all || experiment.groups.empty()) return;
-  Lists rivals = lists_of(groups_of(lists.datasets, experiment), experiment);
+  const std::vector<settings::Group> groups = groups_of(lists.datasets, experiment);
+  Lists rivals = lists_of(groups, experiment);
+  std::erase_if(rivals.classifiers,
+                [&](const std::string& name) { return !judges_methods(groups, name); });
   lists.methods = std::move(rivals.methods);
   lists.ratios = std::move(rivals.ratios);
   lists.classifiers = std::move(rivals.classifiers);
