@@ -90,20 +90,30 @@ double unsaid_speed_rpm(const signal::DatasetInfo& info, std::vector<double> spe
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns the shaft speed of the known windows that a generated window was made from: the first
-/// one's, or the middle if their speeds differ, but belong to one condition; NaN otherwise.
-double speed_of_parents_rpm(const WindowSet& known, const signal::Parents& parents) {
-  std::vector<double> speeds;
-  for (const std::int32_t parent : parents) {
-    const auto i = static_cast<std::size_t>(parent);
-    if (i >= known.size()) {
-      refuse("--generated", fmt::format("a window was made from known window {}, but --known holds "
-                                        "{} windows; give files of one split",
-                                        i, known.size()));
-    }
-    speeds.push_back(known.speed_rpm(i));
+/// Returns the known windows that generated window i was made from: its parents, or all of its
+/// class if it does not store any.
+std::vector<std::size_t> sources_of(const WindowSet& generated, std::size_t i,
+                                    const WindowSet& known) {
+  if (generated.parents.empty() || generated.parents[i].empty()) {
+    return known.indices_of(generated.labels[i]);
   }
-  if (speeds.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::size_t> sources;
+  for (const std::int32_t parent : generated.parents[i]) {
+    sources.push_back(static_cast<std::size_t>(parent));
+    if (sources.back() < known.size()) continue;
+    refuse("--generated", fmt::format("a window was made from known window {}, but --known holds "
+                                      "{} windows; give files of one split",
+                                      parent, known.size()));
+  }
+  return sources;
+}
+
+/// Returns the shaft speed of a window made from these known windows: the first one's, or the
+/// middle if their speeds differ, but belong to one condition; NaN otherwise.
+double speed_of_sources_rpm(const WindowSet& known, const std::vector<std::size_t>& sources) {
+  if (sources.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> speeds;
+  for (const std::size_t source : sources) speeds.push_back(known.speed_rpm(source));
   const auto [slowest, fastest] = std::ranges::minmax(speeds);
   if (symptoms::is_same_speed(slowest, fastest)) return speeds.front();
   return fastest <= signal::largest_speed_ratio * slowest
@@ -164,8 +174,8 @@ WindowSet compose_training_set(const WindowSet& normal, const WindowSet& known,
       training.append(*generated, i);
       if (!silent) {
         speeds_rpm.push_back(generated->speed_rpm(i));
-      } else if (std::isnan(unsaid_rpm) && !generated->parents.empty()) {
-        speeds_rpm.push_back(speed_of_parents_rpm(known, generated->parents[i]));
+      } else if (std::isnan(unsaid_rpm)) {
+        speeds_rpm.push_back(speed_of_sources_rpm(known, sources_of(*generated, i, known)));
       } else {
         speeds_rpm.push_back(unsaid_rpm);
       }

@@ -13,11 +13,11 @@ namespace piae::diagnosis {
 /// known windows of every fault class, or none), and the first `generated_per_class` windows of
 /// every fault class of E, in this order. Each window has its shaft speed. If E has none, it is the
 /// common speed of B, C and all conditions (symptoms/baseline.hpp); if these differ, that of the
-/// known windows that a window was made from, because methods that change the speed store it; NaN
-/// if these differ, too, or are not known. `generated` is null without E. Throws Error(usage) if E
-/// is missing though needed, or given though unused. Throws Error(bad_input) if the sets differ in
-/// data set or window length, if B or C lacks a class or has a wrong one, and if E has too few
-/// windows of a class.
+/// known windows that a window was made from (its parents, or all of its class if E does not store
+/// any), because methods that change the speed store it; NaN if these differ, too, or are not
+/// known. `generated` is null without E. Throws Error(usage) if E is missing though needed, or
+/// given though unused. Throws Error(bad_input) if the sets differ in data set or window length, if
+/// B or C lacks a class or has a wrong one, and if E has too few windows of a class.
 signal::WindowSet compose_training_set(const signal::WindowSet& normal,
                                        const signal::WindowSet& known,
                                        const signal::WindowSet* generated,

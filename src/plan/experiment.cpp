@@ -63,6 +63,8 @@ Dataset describe(const toml::table& protocol, const fs::path& file) {
     dataset.is_simulated = description.contains("simulation");
     dataset.has_own_split = description.contains("split");
     dataset.any_known = makes_known(protocol, description);
+    // A condition cannot be both known and tested.
+    dataset.is_transfer = dataset.any_known && description["transfer"]["known"].is_array();
     dataset.unsaid = unsaid_in(description);
   } catch (const Error&) {
     return dataset;

@@ -18,6 +18,7 @@ struct Dataset {
   bool is_simulated = false;   ///< made by `simulate`, not from recordings
   bool has_own_split = false;  ///< its description has a table [split]
   bool any_known = true;       ///< true if any fault window is known
+  bool is_transfer = false;    ///< faults are known in other conditions than the tested ones
   /// Facts about faults that the description lacks, by increasing need.
   std::vector<augment::Needs> unsaid = {};
 };

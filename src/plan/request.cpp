@@ -171,6 +171,20 @@ void take_given(const Request& request, Choice& choice) {
   choice.lowest_seed = std::ranges::min(choice.seeds);
 }
 
+/// Notes which data sets are compared by the paper's methods although faults are known in another
+/// condition, because other data sets are requested, too.
+void note_lacking_rivals(const Experiment& experiment, const Words& datasets, Notices& notices) {
+  Words transfers;
+  std::ranges::copy_if(datasets, std::back_inserter(transfers),
+                       [&](const std::string& name) { return experiment.find(name)->is_transfer; });
+  if (transfers.size() == datasets.size()) return;
+  for (const std::string& name : transfers) {
+    notices.push_back({name,
+                       "faults are known in another condition; request such data sets alone, or "
+                       "name METHODS, to compare the rivals of [transfer] in the protocol"});
+  }
+}
+
 }  // namespace
 
 bool Choice::has_goal(const std::string& name) const { return has(goals, name); }
@@ -189,6 +203,7 @@ Choice choose(const Experiment& experiment, const Request& request) {
   if (choice.only_looks && !request.held.empty()) lists.datasets = request.held;
   if (request.datasets) lists.datasets = words_in(*request.datasets);
   require_words("DATASETS", lists.datasets, names_of(experiment.datasets));
+  take_rivals(experiment, request.goals, lists);
   choice.methods = std::move(lists.methods);
   choice.ratios = std::move(lists.ratios);
   choice.classifiers = std::move(lists.classifiers);
@@ -200,6 +215,9 @@ Choice choose(const Experiment& experiment, const Request& request) {
                                   .methods_are_named = request.methods.has_value()};
   if (requested.methods.empty() && !choice.only_looks) refuse_no_cells(choice);
   Notices notices;
+  if (!request.methods && !choice.only_looks) {
+    note_lacking_rivals(experiment, lists.datasets, notices);
+  }
   for (const std::string& name : lists.datasets) {
     const Dataset& dataset = *experiment.find(name);
     choice.parts.push_back(choice.only_looks ? Part{.dataset = dataset, .cells = {}, .methods = {}}

@@ -90,6 +90,26 @@ TEST_F(TrainingSet, HasTheRecordedSpeedOfEachWindow) {
                                    testing::IsNan(), testing::IsNan()));
 }
 
+// A generator that knows one speed of a class makes windows of that speed, whatever is tested.
+TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedAndParentsThatOfTheirClass) {
+  normal.shaft_speed_rpm = {600, 600, 600, 900, 900, 900};
+  normal.info.conditions = {{.name = "900 rpm", .shaft_speed_rpm = 900},
+                            {.name = "600 rpm", .shaft_speed_rpm = 600}};
+  const auto speeds_for = [&](const std::vector<double>& of_known) {
+    known.shaft_speed_rpm = of_known;
+    const WindowSet set = compose_training_set(normal, known, &generated, 1);
+    return std::vector<double>{set.speed_rpm(10), set.speed_rpm(11)};
+  };
+  EXPECT_THAT(speeds_for({900, 900, 900, 900}), testing::ElementsAre(900, 900));
+  EXPECT_THAT(speeds_for({900, 910, 600, 606}), testing::ElementsAre(900, 600));
+  // The records of one condition may differ by 10 %.
+  EXPECT_THAT(speeds_for({900, 960, 600, 600}), testing::ElementsAre(930, 600));
+  EXPECT_THAT(speeds_for({900, 600, 600, 600}), testing::ElementsAre(testing::IsNan(), 600));
+  known = empty_set(4);
+  const WindowSet set = compose_training_set(normal, known, &generated, 1);
+  EXPECT_TRUE(std::isnan(set.speed_rpm(set.size() - 1)));
+}
+
 // The first windows of classes 1 and 2 in E are its windows 1 and 0.
 TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedThatOfTheirParents) {
   normal.shaft_speed_rpm = {600, 600, 600, 900, 900, 900};
@@ -127,11 +147,7 @@ TEST_F(TrainingSet, GivesGeneratedWindowsWithoutSpeedTheOnlySpeed) {
   known.shaft_speed_rpm = {900, 902, 910, 905};
   EXPECT_EQ(speed_of_generated(), 905);
   known.shaft_speed_rpm = {900, 902, 925, 905};
-  EXPECT_TRUE(std::isnan(speed_of_generated()));
-  // A window tested at another speed may have been generated for that speed.
-  known.shaft_speed_rpm.assign(4, 900);
-  normal.info.conditions.push_back({.name = "600 rpm", .shaft_speed_rpm = 600});
-  EXPECT_TRUE(std::isnan(speed_of_generated()));
+  EXPECT_EQ(speed_of_generated(), 915);  // the middle of its class
 }
 
 TEST_F(TrainingSet, RefusesTooFewGeneratedWindows) {

@@ -3,14 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <utility>
+
 #include "plan/small_run.hpp"
 #include "support/errors.hpp"
 
 namespace piae::plan {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::IsSupersetOf;
+using testing::Not;
 using testing::SizeIs;
+using testing::UnorderedElementsAre;
 
 class DefaultLists : public testing::Test {
  protected:
@@ -67,6 +74,46 @@ TEST_F(DefaultLists, CoverTheGroupsForATransfer) {
   EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
   EXPECT_THAT(lists.classifiers,
               ElementsAre("wdcnn", "wdcnn-spectra", "nearest", "nearest-orders"));
+}
+
+class Rivals : public testing::Test {
+ protected:
+  /// Returns the lists for these data sets of the project.
+  static Lists of(const std::vector<std::string>& datasets,
+                  const std::vector<std::string>& goals = {"all"}) {
+    const Experiment own = read_experiment(std::filesystem::path(PIAE_SOURCE) / "pipeline");
+    Lists lists = default_lists(own, goals);
+    lists.datasets = datasets;
+    take_rivals(own, goals, lists);
+    return lists;
+  }
+};
+
+TEST_F(Rivals, AreComparedWhereFaultsAreKnownInAnotherCondition) {
+  const Lists lists = of({"hit-sm-1200to900"});
+  EXPECT_THAT(lists.methods,
+              IsSupersetOf({"none", "strike-twin", "smote", "mixup", "aligned-mixup", "spectral",
+                            "adasyn", "borderline-smote", "resample", "randomise", "oracle"}));
+  EXPECT_THAT(lists.classifiers,
+              UnorderedElementsAre("nearest", "nearest-orders", "wdcnn-orders", "prototypes"));
+  EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
+  EXPECT_THAT(of({"cwru-sizes-7"}).classifiers, IsSupersetOf({"wdcnn", "nearest-orders"}));
+}
+
+TEST_F(Rivals, AreThoseOfTheGroupsOfTheDataSets) {
+  EXPECT_THAT(of({"uestc-800to1000"}).methods, Not(Contains("piae-dt")));
+  EXPECT_THAT(of({"uestc-800to1000", "cwru-sizes-7"}).methods, Contains("piae-dt"));
+  // It is in no group, so it has the rivals of all.
+  EXPECT_THAT(of({"simulated-slower"}).classifiers, IsSupersetOf({"prototypes", "wdcnn-envelope"}));
+}
+
+TEST_F(Rivals, AreNotComparedElsewhere) {
+  for (const auto& [dataset, goal] : std::vector<std::pair<std::string, std::string>>{
+           {"cwru", "all"}, {"hit-sm-types-1200to900", "all"}, {"hit-sm-1200to900", "sweep"}}) {
+    EXPECT_THAT(of({dataset}, {goal}).methods, SizeIs(12)) << dataset;
+    EXPECT_THAT(of({dataset}, {goal}).classifiers, ElementsAre("wdcnn")) << dataset;
+  }
+  EXPECT_THAT(of({"cwru", "hit-sm-1200to900"}).methods, SizeIs(12));
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ TEST(Experiments, IsThatOfPipeline) {
   ASSERT_NE(own.find("simulated"), nullptr);
   EXPECT_TRUE(own.find("simulated")->is_simulated);
   EXPECT_FALSE(own.find("cwru")->is_simulated);
+  EXPECT_FALSE(own.find("cwru")->is_transfer);
+  EXPECT_TRUE(own.find("hit-sm-1200to900")->is_transfer);
+  EXPECT_TRUE(own.find("uestc-true-800to1000")->is_transfer);
+  EXPECT_FALSE(own.find("hit-sm-types-1200to900")->is_transfer);  // no fault window is known
   EXPECT_THAT(own.sweeps, Contains(Field(&settings::Sweep::method, "strike-twin")));
   EXPECT_THAT(own.sweeps.front().points, Contains("depth=1"));
   EXPECT_THAT(own.sweeps.front().centre, Contains("depth=3"));

@@ -8,9 +8,11 @@
 namespace piae::plan {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 TEST_F(Requests, NameOnlyWhatExists) {
@@ -77,6 +79,28 @@ TEST_F(Requests, AreRefusedWithoutCells) {
   EXPECT_EQ(refusal(),
             "no cells: METHODS=\"none\" RATIOS=\"1to1\"; none runs at 100to1 only, and the other "
             "methods at all other ratios");
+}
+
+TEST_F(Requests, ReportThatRivalsAreNotCompared) {
+  run_.write("datasets/other.toml",
+             "name = \"other\"\nlike = \"real\"\n[transfer]\nknown = [\"a\"]\ntest = [\"b\"]\n");
+  run_.set("[diagnose]",
+           "[transfer.one]\ndatasets = [\"other\"]\nagainst = \"strike-twin\"\n"
+           "inputs = [\"strike-twin=wdcnn-spectra\", \"none=nearest-orders\"]\n[diagnose]");
+  experiment_ = read_experiment(run_.pipeline.path());
+  request_ = {};
+  request_.datasets = "other";
+  Choice choice = choose(experiment_, request_);
+  EXPECT_THAT(choice.methods, ElementsAre("none", "strike-twin"));
+  EXPECT_THAT(choice.notices, Not(Contains(HasSubstr("rivals"))));
+  request_.datasets = "real other";
+  choice = choose(experiment_, request_);
+  EXPECT_THAT(choice.methods, SizeIs(12));
+  EXPECT_THAT(choice.notices, Contains("other: faults are known in another condition; request such "
+                                       "data sets alone, or name METHODS, to compare the rivals of "
+                                       "[transfer] in the protocol"));
+  request_.methods = "none shift";
+  EXPECT_THAT(choose(experiment_, request_).notices, Not(Contains(HasSubstr("rivals"))));
 }
 
 TEST_F(Requests, DoNotNeedCellsForReadOnlyGoals) {

@@ -142,7 +142,7 @@ test_tables_of_several_groups_are_joined() {
   expect_equal "$(pipeline/figures/draw.sh $drawn/rigs.csv "$samples"/transfer@{sizes,speeds}.csv $drawn/transfer@other.csv 2>&1)" ""
   expect_equal "$(cut -d, -f1 $drawn/rigs.csv | uniq | paste -sd' ')" "part sizes speeds other"
   local group
-  for group in speeds other; do expect_line "$(<$drawn/rigs.svg)" ">$group<"; done
+  for group in HIT-SM other; do expect_line "$(<$drawn/rigs.svg)" ">$group<"; done
   expect_no_line "$(<$drawn/rigs.svg)" '>sizes<'
 }
 
