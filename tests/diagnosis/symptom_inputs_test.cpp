@@ -104,10 +104,14 @@ TEST_F(SymptomRowsAtSpeeds, GeneratedWindowsAreMeasuredAtTheirSpeedOrTheOnlySpee
   generated_.shaft_speed_rpm = {900, 1200, 900, 1200, 900, 1200, 900, 1200, 900, 1200};
   expect_as_tested(known_, 20);
   expect_as_tested(generated_, 30);
+  // They are made from known windows of 900 rpm.
+  generated_.shaft_speed_rpm.clear();
+  expect_as_tested(at_900, 30);
 }
 
 TEST_F(SymptomRowsAtSpeeds, GeneratedWindowsOfAmbiguousSpeedAreRefused) {
   healthy_at(900, 1200);
+  known_.shaft_speed_rpm = {900, 1200, 900, 1200, 900, 900, 1200, 900, 1200, 900};
   const signal::WindowSet training = compose_training_set(normal_, known_, &generated_, 5);
   EXPECT_ERROR(ScaledRows(normal_, training, known_), Exit::bad_input,
                "--generated: the windows lack shaft speeds");
