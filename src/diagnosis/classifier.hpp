@@ -70,7 +70,8 @@ struct Classifier {
   const char* name;   ///< the name in CLASSIFIERS, in folders and in tables
   const char* what;   ///< short description
   const char* input;  ///< input made from a window
-  /// Makes the input of a WDCNN; null for other classifiers, which have `learn` or `fit`, and `read`.
+  /// Makes the input of a WDCNN; null for other classifiers, which have `learn` or `fit`, and
+  /// `read`.
   Represent represent = nullptr;
   /// True if it learns from healthy windows alone. It does not need fault windows, known or
   /// generated, and runs with `none` only.

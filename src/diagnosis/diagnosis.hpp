@@ -22,9 +22,9 @@ struct Task {
   const scoring::Ratio& ratio;
   std::int64_t seed = 0;  ///< part of the random stream's name, with data set and ratio
   WdcnnOptions options = {};
-  MakeWdcnnBackend make_backend = {};  ///< for a WDCNN
+  MakeWdcnnBackend make_backend = {};         ///< for a WDCNN
   const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
-  bool keep_features = false;          ///< true if record() includes the output of the last layers
+  bool keep_features = false;  ///< true if record() includes the output of the last layers
 };
 
 /// One cell of the grid: trains a classifier on B, C and the ratio's number of windows of E, and

@@ -15,7 +15,7 @@ struct Relearn {
   const WdcnnOptions& options;
   const Stream& stream;  ///< stream of the classifier; fold k draws from its child "left-out<k>"
   const MakeWdcnnBackend& make_backend;
-  EpochDone epoch_done;  ///< called after each epoch of these trainings
+  EpochDone epoch_done;                       ///< called after each epoch of these trainings
   const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
 };
 

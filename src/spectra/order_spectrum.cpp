@@ -23,7 +23,7 @@ constexpr Index least_floor_bins = 9;
 // Beyond a band's width its envelope holds only rounding errors at the bins and leakage between
 // them. A floor of at least this fraction of the mean power keeps these from looking like lines.
 constexpr double least_floor = 1e-4;
-constexpr double least_ratio = 1e-3;  // keeps the logarithm of a silent place finite
+constexpr double least_ratio = 1e-3;       // keeps the logarithm of a silent place finite
 constexpr double least_amplitude = 1e-12;  // of the largest; keeps silent bins silent
 
 /// Interpolates linearly between two numbers of an array; returns the last number beyond the end.

@@ -38,10 +38,10 @@ struct OrderSpectrum {
 /// half the sample rate): for a fast shaft the higher harmonics are low, in healthy and faulty
 /// windows alike.
 ///
-/// `prewhitening` from 0 to 1 divides X by that power of its own amplitude, bin by bin. 1 is cepstral
-/// prewhitening (Borghesani, Pennacchi, Randall, Sawalhi and Ricci 2013): lines of shaft and gears,
-/// which X keeps, are as low as the noise, but so are the harmonics of impacts at a steady rate. A
-/// power between them weakens both.
+/// `prewhitening` from 0 to 1 divides X by that power of its own amplitude, bin by bin. 1 is
+/// cepstral prewhitening (Borghesani, Pennacchi, Randall, Sawalhi and Ricci 2013): lines of shaft
+/// and gears, which X keeps, are as low as the noise, but so are the harmonics of impacts at a
+/// steady rate. A power between them weakens both.
 OrderSpectrum order_spectrum(const Eigen::RowVectorXd& window, const FilterBank& bank,
                              double shaft_hz, double last, double prewhitening = 0);
 

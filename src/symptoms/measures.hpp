@@ -49,8 +49,8 @@ inline constexpr Range possible_prewhitening{.low = 0, .high = 1};
 std::vector<Measures> measure(const signal::WindowSet& windows, const std::string& what,
                               double prewhitening = 0);
 
-/// Returns the number of shaft turns that a window needs to separate the lines (measure()); infinite
-/// if two lines coincide.
+/// Returns the number of shaft turns that a window needs to separate the lines (measure());
+/// infinite if two lines coincide.
 double fewest_turns(const bearing::Geometry& geometry);
 
 }  // namespace piae::symptoms
