@@ -26,7 +26,7 @@ struct LineEvidence {
   inspection::FaultLine line;
   double found_hz = 0;                   ///< within 2 % of line.hz; 0 if not measured
   std::array<double, 3> harmonics_db{};  ///< of 1, 2 and 3 times found_hz; their mean is line.db
-  std::optional<SideBands> side_bands = {};  ///< for inner race and ball
+  std::optional<SideBands> side_bands = {};  ///< of inner race and ball, if present
 
   [[nodiscard]] bool has_harmonic(int number) const {
     return found_hz > 0 && harmonics_db.at(static_cast<std::size_t>(number - 1)) > line.noise_db;

@@ -24,8 +24,8 @@ using inspection::Svg;
 
 constexpr double chart_width = 760;
 constexpr double below_chart = 34;  // numbers of both axes
-constexpr Panel wave_panel{.left = 56, .top = 8, .width = 696, .height = 118};
-constexpr Panel lines_panel{.left = 56, .top = 40, .width = 696, .height = 200};  // below names
+constexpr Panel wave_panel{.left = 56, .top = 8, .width = 696, .height = 170};
+constexpr Panel lines_panel{.left = 56, .top = 40, .width = 696, .height = 280};  // below names
 
 constexpr double turns_of_a_segment = 32;
 constexpr double largest_segment = 32768;
