@@ -115,11 +115,11 @@ class Chart {
       }
       this.label(this.part, left + width, top + height + y, unit, "end");
     }
-    for (const [name, hz] of numbers.lines) {
+    for (const [row, [name, hz]] of numbers.lines.entries()) {
       for (let n = 1; n <= 3; ++n) {
         if (n * hz < this.from || n * hz > this.to) continue;
         this.line(this.part, n * hz, "#0072b2", "2 3");
-        this.label(this.part, this.pixel(n * hz) + 2, top - 4, n === 1 ? name : n + "\u00d7" + name, "start");
+        this.label(this.part, this.pixel(n * hz) + 2, top - 4 - 11 * row, n === 1 ? name : n + "\u00d7" + name, "start");
       }
     }
     const y = value => top + height - (Math.max(lowest, value) - lowest) / (highest - lowest) * height;
