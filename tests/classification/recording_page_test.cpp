@@ -70,7 +70,7 @@ TEST(LineEvidence, FindsSideBandsOfAModulatedLineOnly) {
   EXPECT_EQ(bands(0).present(), 0);
 }
 
-// The load on the outer race does not turn; beside a missing line there is nothing to measure.
+// The load on the outer race does not turn.
 TEST(LineEvidence, HasNoSideBandsOfOtherLines) {
   const auto all = line_evidence(verdict_on_inner_race(0), three_classes());
   EXPECT_FALSE(evidence_of_line(all, Defect::outer).side_bands);
