@@ -7,6 +7,7 @@
 #include "classification/fitted.hpp"
 #include "classification/picture.hpp"
 #include "classification/record.hpp"
+#include "classification/recording_page.hpp"
 #include "classification/sources.hpp"
 #include "classification/texts.hpp"
 #include "classification/verdict.hpp"
@@ -29,6 +30,13 @@ void require_classifier(const artefact::Reader& reader) {
           "', not 'classifier' (of diagnose --keep-classifier) or 'any-bearing' (of teach)");
 }
 
+void require_one_for_page(const std::vector<classification::Recording>& recordings) {
+  if (recordings.size() == 1) return;
+  throw Error(Exit::usage, "--page: shows one recording, not " + std::to_string(recordings.size()) +
+                               "; choose one by --record, such as --record " +
+                               recordings.front().name);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,7 +46,8 @@ int main(int argc, char** argv) {
       "stored: class and calibrated probability of each window and of the whole recording, or "
       "\"unknown\" if it differs from all trained classes. With the network for all machines that "
       "`teach` made, --healthy names healthy records of the machine; no training is needed. The "
-      "picture adds the evidence: the envelope spectrum with the fault lines of the bearing.",
+      "picture adds the evidence: the envelope spectrum with the fault lines of the bearing. The "
+      "page of one recording explains the verdict and has cursors for harmonics and side bands.",
       "classify --classifier classifier.h5 --recording bearing7.csv --variable 1 "
       "--sample-rate-hz 25600 --speed-rpm 1500 --picture bearing7.svg");
   fs::path classifier_file;
@@ -46,6 +55,7 @@ int main(int argc, char** argv) {
   fs::path output;
   fs::path csv;
   fs::path picture;
+  fs::path page;
   std::size_t step = 0;
   stage.input_file(
       "--classifier", classifier_file,
@@ -60,6 +70,10 @@ int main(int argc, char** argv) {
   stage.output_file("--output", output, "predictions for all windows (HDF5)").required(false);
   stage.output_file("--csv", csv, "predictions for all windows (CSV)").required(false);
   stage.output_file("--picture", picture, "predictions over time and envelope spectra (SVG)")
+      .required(false);
+  stage
+      .output_file("--page", page,
+                   "verdict, evidence and spectra of one recording, with cursors (HTML)")
       .required(false);
 
   return stage.run(argc, argv, [&] {
@@ -76,7 +90,8 @@ int main(int argc, char** argv) {
 
     std::vector<classification::Recording> recordings =
         classification::read(stage, sources, kept.classifier(), info);
-    stage.require_free({output, csv, picture});
+    if (!page.empty()) require_one_for_page(recordings);
+    stage.require_free({output, csv, picture, page});
     std::vector<classification::Verdict> verdicts;
     cli::Progress progress("classify", "recordings", recordings.size());
     for (classification::Recording& recording : recordings) {
@@ -90,6 +105,13 @@ int main(int argc, char** argv) {
     if (!picture.empty()) {
       texts.push_back({picture, classification::picture_of(verdicts, info, kept.length())});
     }
+    const std::string origin = classification::origin_of(kept, trust);
+    if (!page.empty()) {
+      texts.push_back({page, classification::recording_page(
+                                 verdicts.front(), {.info = info,
+                                                    .is_calibrated = kept.calibration().windows > 0,
+                                                    .words = origin})});
+    }
     text::save_all(texts);
     if (!output.empty()) {
       artefact::Writer writer("classification");
@@ -97,6 +119,6 @@ int main(int argc, char** argv) {
       stage.save(writer, output);
     }
     std::cout << classification::table_of(verdicts, info) << classification::speeds_of(verdicts)
-              << classification::origin_of(kept, trust);
+              << origin;
   });
 }

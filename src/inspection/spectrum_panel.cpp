@@ -20,41 +20,7 @@ constexpr double name_height = 11;
 const std::array<Stroke, 3> line_strokes{Stroke{"#0072B2", 1, ""}, Stroke{"#D55E00", 1, "7 3"},
                                          Stroke{"#009E73", 1, "2 2"}};
 
-/// Returns the spectrum in dB over its median, by bin, limited at the lower edge of the panel.
-std::vector<double> decibels_of(const EnvelopeSpectrum& spectrum) {
-  const double floor = std::max(spectra::median(spectrum.power), spectrum.rounding);
-  std::vector<double> decibels;
-  for (const double power : spectrum.power) {
-    decibels.push_back(
-        std::max(lowest_db, 10 * std::log10(std::max(power, spectrum.rounding) / floor)));
-  }
-  return decibels;
-}
-
 bool lines_are_known(const FaultLines& lines) { return lines.front().hz > 0; }
-
-/// Draws the lines and their names. Each defect has its own row of names above the panel. A higher
-/// frequency gets a row closer to the panel, so that no line crosses a name to its left.
-void draw_marks(Svg& svg, const FaultLines& lines, signal::Defect own, const Axis& x,
-                const Panel& panel) {
-  if (!lines_are_known(lines)) return;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const FaultLine& line = lines.at(i);
-    const bool is_own = line.fault_type == own;
-    Stroke stroke = line_strokes.at(i);
-    stroke.width = is_own ? 2.4 : 1;
-    const auto higher =
-        std::ranges::count_if(lines, [&](const FaultLine& other) { return other.hz > line.hz; });
-    const double name_y = panel.top - 4 - name_height * static_cast<double>(higher);
-    for (int n = 1; n <= marked_harmonics; ++n) {
-      const double at = x.at(n * line.hz);
-      if (at > x.to) break;
-      svg.line({at, name_y + 1}, {at, panel.top + panel.height}, stroke);
-      const std::string name = n == 1 ? line_name(line.fault_type) : std::to_string(n);
-      svg.text({at + 3, name_y}, name, Anchor::start, 10, is_own);
-    }
-  }
-}
 
 /// Returns the end of the shown part: slightly above the third harmonic of the highest line.
 double highest_shown_hz(const FaultLines& lines, double shaft_hz) {
@@ -72,6 +38,39 @@ void keep_shown_part(EnvelopeSpectrum& spectrum, const FaultLines& lines, double
   }
 }
 
+std::vector<double> drawn_decibels(const EnvelopeSpectrum& spectrum) {
+  const double floor = std::max(spectra::median(spectrum.power), spectrum.rounding);
+  std::vector<double> decibels;
+  for (const double power : spectrum.power) {
+    decibels.push_back(
+        std::max(lowest_db, 10 * std::log10(std::max(power, spectrum.rounding) / floor)));
+  }
+  return decibels;
+}
+
+// Each defect has its own row of names above the panel. A higher frequency gets a row closer to the
+// panel, so that no line crosses a name to its left.
+void draw_fault_lines(Svg& svg, const FaultLines& lines, signal::Defect own, int harmonics,
+                      const Axis& x, const Panel& panel) {
+  if (!lines_are_known(lines)) return;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const FaultLine& line = lines.at(i);
+    const bool is_own = line.fault_type == own;
+    Stroke stroke = line_strokes.at(i);
+    stroke.width = is_own ? 2.4 : 1;
+    const auto higher =
+        std::ranges::count_if(lines, [&](const FaultLine& other) { return other.hz > line.hz; });
+    const double name_y = panel.top - 4 - name_height * static_cast<double>(higher);
+    for (int n = 1; n <= harmonics; ++n) {
+      const double at = x.at(n * line.hz);
+      if (at > x.to) break;
+      svg.line({at, name_y + 1}, {at, panel.top + panel.height}, stroke);
+      const std::string name = n == 1 ? line_name(line.fault_type) : std::to_string(n);
+      svg.text({at + 3, name_y}, name, Anchor::start, 10, is_own);
+    }
+  }
+}
+
 void draw_line_legend(Svg& svg, const FaultLines& lines, Point at, const std::string& thick) {
   if (!lines_are_known(lines)) return;
   for (std::size_t i = 0; i < line_strokes.size(); ++i) {
@@ -84,10 +83,10 @@ void draw_line_legend(Svg& svg, const FaultLines& lines, Point at, const std::st
   svg.text(at, "2, 3: harmonics; thick: " + thick);
 }
 
-void draw_envelope_spectrum(Svg& svg, const EnvelopeSpectrum& spectrum, const FaultLines& lines,
+Axis draw_envelope_spectrum(Svg& svg, const EnvelopeSpectrum& spectrum, const FaultLines& lines,
                             signal::Defect own, const Panel& panel) {
-  if (spectrum.power.empty()) return;
-  const std::vector<double> decibels = decibels_of(spectrum);
+  if (spectrum.power.empty()) return {lowest_db, 20, panel.top + panel.height, panel.top};
+  const std::vector<double> decibels = drawn_decibels(spectrum);
   const double highest_hz = static_cast<double>(spectrum.power.size()) * spectrum.bin_hz;
   // The first bins hold the taper's remainder of the mean.
   const auto first =
@@ -109,11 +108,12 @@ void draw_envelope_spectrum(Svg& svg, const EnvelopeSpectrum& spectrum, const Fa
     svg.text({x.at(hz), panel.top + panel.height + 14}, fmt::format("{:g}", hz), Anchor::middle);
   }
   svg.text({x.to, panel.top + panel.height + 14}, "Hz", Anchor::end);
-  draw_marks(svg, lines, own, x, panel);
+  draw_fault_lines(svg, lines, own, marked_harmonics, x, panel);
   std::vector<double> shown = decibels;
   std::fill(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(first), lowest_db);
   svg.polyline(trace_of(shown, spectrum.bin_hz, x, y), signal_stroke);
   svg.frame({x.from, panel.top}, panel.width, panel.height);
+  return y;
 }
 
 }  // namespace piae::inspection

@@ -19,12 +19,11 @@ std::string attributes_of(const Stroke& stroke) {
 }  // namespace
 
 Svg::Svg(double width, double height, const std::string& title)
-    : head_(
-          fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" "
-                      "viewBox=\"0 0 {0:g} {1:g}\" font-family=\"sans-serif\" role=\"img\">\n"
-                      "<title>{2}</title>\n"
-                      "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"#ffffff\"/>\n",
-                      width, height, text::markup_text(title))) {}
+    : head_(fmt::format(" width=\"{0:g}\" height=\"{1:g}\" "
+                        "viewBox=\"0 0 {0:g} {1:g}\" font-family=\"sans-serif\" role=\"img\">\n"
+                        "<title>{2}</title>\n"
+                        "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"#ffffff\"/>\n",
+                        width, height, text::markup_text(title))) {}
 
 void Svg::line(Point from, Point to, const Stroke& stroke) { polyline({from, to}, stroke); }
 
@@ -56,6 +55,10 @@ void Svg::text(Point at, const std::string& words, Anchor anchor, double size, b
       bold ? " font-weight=\"bold\"" : "", text::markup_text(words));
 }
 
-std::string Svg::str() const { return head_ + body_ + "</svg>\n"; }
+std::string Svg::str() const {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\"" + head_ + body_ + "</svg>\n";
+}
+
+std::string Svg::element() const { return "<svg" + head_ + body_ + "</svg>\n"; }
 
 }  // namespace piae::inspection

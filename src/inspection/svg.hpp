@@ -37,6 +37,8 @@ class Svg {
 
   /// Returns the whole file.
   [[nodiscard]] std::string str() const;
+  /// Returns the drawing as an element of an HTML page, where it does not need a namespace.
+  [[nodiscard]] std::string element() const;
 
  private:
   std::string head_;

@@ -147,7 +147,8 @@ class Classify : public KeepClassifier {
                       const std::vector<std::string>& words) const {
     const std::set<std::string> before = tiny_.files();
     Arguments all = arguments;
-    all.insert(all.end(), {"--csv", "out.csv", "--picture", "out.svg", "--output", "out.h5"});
+    all.insert(all.end(), {"--csv", "out.csv", "--picture", "out.svg", "--page", "out.html",
+                           "--output", "out.h5"});
     expect_refusal(tiny_.run("classify", all), "classify", status, words);
     EXPECT_EQ(tiny_.files(), before);
   }
@@ -231,6 +232,39 @@ TEST_F(Classify, WritesAllRequestedFiles) {
     EXPECT_EQ(std::system((check + (tiny_ / "out.svg").string()).c_str()), 0);
   }
   EXPECT_EQ(tiny_.left_overs(), std::set<std::string>{});
+}
+
+TEST_F(Classify, WritesThePageOfOneRecording) {
+  describe();
+  const Arguments arguments{"--classifier", "classifier.h5", "--description", "mine.toml",
+                            "--data-dir",   "data",          "--record",      "IR007-02",
+                            "--csv",        "out.csv",       "--page",        "out.html"};
+  const Outcome outcome = tiny_.run("classify", arguments);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(tiny_ / "out.csv"));
+  const std::string page = bytes_of(tiny_ / "out.html");
+  EXPECT_THAT(page, testing::StartsWith("<!DOCTYPE html>\n"));
+  EXPECT_THAT(page, HasSubstr("<h1>IR007-02</h1>"));
+  EXPECT_THAT(page, HasSubstr("<dd>0.50 s, 15 turns</dd>"));  // 6000 samples; 1797 rpm
+  EXPECT_THAT(page, HasSubstr("Classified by wdcnn of tiny, trained on 40 windows"));
+  EXPECT_EQ(tiny_.left_overs(), std::set<std::string>{});
+}
+
+TEST_F(Classify, RefusesAPageOfSeveralRecordings) {
+  describe();
+  expect_refused(
+      {"--classifier", "classifier.h5", "--description", "mine.toml", "--data-dir", "data"}, 2,
+      {"--page: shows one recording, not 6; choose one by --record"});
+}
+
+// A page that cannot be written takes the CSV with it, so that no half of the results is left.
+TEST_F(Classify, WritesNothingIfThePageCannotBeWritten) {
+  const std::set<std::string> before = tiny_.files();
+  Arguments arguments = classify();
+  arguments.insert(arguments.end(), {"--csv", "out.csv", "--page", "recording.csv/out.html"});
+  expect_refusal(tiny_.run("classify", arguments), "classify", 1,
+                 {"recording.csv/out.html", "choose another"});
+  EXPECT_EQ(tiny_.files(), before);
 }
 
 TEST_F(Classify, UsesTheRequestedRecordsOfADescription) {

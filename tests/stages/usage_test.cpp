@@ -22,8 +22,9 @@ TEST_P(Usage, VersionIsOneLineWithTheNumber) {
   const Outcome version = run(folder.path(), GetParam(), {"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.err, "");
-  EXPECT_THAT(version.out, testing::MatchesRegex("piae-dt " + std::string(GetParam()) +
-                                                 " [0-9]+[.][0-9]+[.][0-9]+( [(][0-9a-f]+(-changed)?[)])?\n"));
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex("piae-dt " + std::string(GetParam()) +
+                                    " [0-9]+[.][0-9]+[.][0-9]+( [(][0-9a-f]+(-changed)?[)])?\n"));
 }
 
 TEST_P(Usage, FailsWhenTheOutputCannotBeWritten) {

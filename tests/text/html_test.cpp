@@ -1,8 +1,8 @@
-#include "page/html.hpp"
+#include "text/html.hpp"
 
 #include <gmock/gmock.h>
 
-namespace piae::page {
+namespace piae::text {
 namespace {
 
 TEST(Html, EscapesPlainTextEverywhere) {
@@ -28,4 +28,4 @@ TEST(Html, DoesNotCloseVoidElements) {
 }
 
 }  // namespace
-}  // namespace piae::page
+}  // namespace piae::text
