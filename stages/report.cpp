@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     text::save_if_changed({run_folder / "report.html", html});
     text::save_if_changed({run_folder / "report.md", report_text(contents)});
     text::save_if_changed(
-        {run_folder / "run.html", run_page(run::read_step_logs(run_folder), style)});
+        {run_folder / "run.html", page::run_page(run::read_step_logs(run_folder), style)});
     std::cout << fmt::format("reported {} data sets, {} cells missing, {:.2f} MB: {}\n",
                              contents.datasets.size(), missing_cells(contents),
                              static_cast<double>(html.size()) / 1e6,

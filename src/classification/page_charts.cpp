@@ -105,7 +105,7 @@ std::string samples_text(const std::vector<double>& samples) {
 
 /// Returns segments of a signal that overlap by half, or fewer at equal intervals.
 spectra::Windows half_overlapping(std::span<const double> signal, std::size_t length) {
-  const std::size_t half = length / 2;
+  const std::size_t half = std::max<std::size_t>(1, length / 2);
   const auto count = std::min<Eigen::Index>(
       most_averages, static_cast<Eigen::Index>((signal.size() - length) / half + 1));
   const std::size_t step =

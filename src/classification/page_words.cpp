@@ -182,7 +182,7 @@ std::vector<std::string> next_steps_of(const Verdict& verdict, const DatasetInfo
     if (own.stands_out) {
       return {
           "Compare the envelope spectrum with that of a healthy record at the same speed and "
-          "load: the line and its side bands must be missing there.",
+          "load: the line must be missing there.",
           "Repeat the measurement at the same point. At another speed the line must keep its "
           "order.",
           "Plan an inspection of the bearing, and follow the trend at shorter intervals until "

@@ -104,9 +104,9 @@ class Chart {
 
   drawPart() {
     const { left, top, width, height, lowest, highest, step } = this.data;
-    add(this.part, "rect", { x: 0, y: 0, width: left + width + 9, height: top, fill: "#ffffff" });
+    add(this.part, "rect", { x: left, y: 0, width: width + 9, height: top, fill: "#ffffff" });
     add(this.part, "rect", { x: left, y: top, width, height, fill: "#ffffff", stroke: "#999999" });
-    add(this.part, "rect", { x: left - 20, y: top + height + 1, width: width + 30, height: 34, fill: "#ffffff" });
+    add(this.part, "rect", { x: left - 20, y: top + height + 5, width: width + 30, height: 30, fill: "#ffffff" });
     for (const [unit, size, y] of [["Hz", 1, 14], ["orders", numbers.shaft_hz, 28]]) {
       const tick = tickStep((this.to - this.from) / size);
       for (let i = Math.ceil(this.from / size / tick); this.pixel(i * tick * size) < left + width - 46; ++i) {

@@ -263,7 +263,7 @@ TEST_F(Classify, WritesNothingIfThePageCannotBeWritten) {
   Arguments arguments = classify();
   arguments.insert(arguments.end(), {"--csv", "out.csv", "--page", "recording.csv/out.html"});
   expect_refusal(tiny_.run("classify", arguments), "classify", 1,
-                 {"recording.csv/out.html", "choose another"});
+                 {"recording.csv: cannot make this folder", "choose another"});
   EXPECT_EQ(tiny_.files(), before);
 }
 
