@@ -18,7 +18,7 @@ using zero::evenly;
 using zero::log_evenly;
 
 constexpr double pitch_mm = 40;  // lines depend on ratios of diameters only
-constexpr int fewest_balls = 6;
+constexpr std::size_t fewest_balls = 6;
 constexpr int most_balls = 16;
 /// Sum of the ball diameters / pitch diameter: the cage needs a tenth of the circumference.
 constexpr double most_filled = 2.8;
@@ -26,8 +26,8 @@ constexpr double most_filled = 2.8;
 bearing::Geometry draw_geometry(Stream& random) {
   const double ratio = evenly(random, 0.13, 0.32);
   const int most = std::min(most_balls, static_cast<int>(most_filled / ratio));
-  const auto choices = static_cast<std::size_t>(most - fewest_balls + 1);
-  return {.balls = fewest_balls + static_cast<int>(random.below(choices)),
+  const std::size_t choices = static_cast<std::size_t>(most) - fewest_balls + 1;
+  return {.balls = static_cast<int>(fewest_balls + random.below(choices)),
           .ball_diameter_mm = ratio * pitch_mm,
           .pitch_diameter_mm = pitch_mm,
           .inner_raceway_mm = (1 - ratio) * pitch_mm,
