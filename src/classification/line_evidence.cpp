@@ -76,7 +76,7 @@ std::array<LineEvidence, 3> line_evidence(const Verdict& verdict, const signal::
     const spectra::CommonLine found = spectra::common_line(spectrum, each.line.hz);
     each.found_hz = found.hz;
     each.harmonics_db = found.decibels;
-    // Beside a missing line there are only the lines of others.
+    // Around a missing line only the lines of others remain.
     if (!each.has_harmonic(1)) continue;
     each.side_bands = side_bands_of(spectrum, each, modulation_hz(each.line.fault_type, rates));
   }

@@ -166,9 +166,9 @@ class Chart {
     if (bands.checked || shiftIsDown) {
       for (const k of [-3, -2, -1, 1, 2, 3]) {
         const sign = (k < 0 ? "\u2212" : "+") + Math.abs(k);
-        const beside = place + k * Number(spacing.value);
-        this.mark(beside, sign, colours.band, "1 2", top + 23);
-        if (beside > 0 && beside < this.all && Math.abs(k) === 1) found.push(this.words(beside, "side band " + sign));
+        const band = place + k * Number(spacing.value);
+        this.mark(band, sign, colours.band, "1 2", top + 23);
+        if (band > 0 && band < this.all && Math.abs(k) === 1) found.push(this.words(band, "side band " + sign));
       }
     }
     this.output.textContent = found.join("; ");

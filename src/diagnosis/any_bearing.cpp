@@ -4,15 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "diagnosis/cross_entropy.hpp"
 #include "diagnosis/fault_types.hpp"
 #include "diagnosis/symptom_inputs.hpp"
 
 namespace piae::diagnosis {
 
 namespace {
-
-constexpr const char* prewhitened = "prewhitening";
 
 SymptomRows rows_of_lessons(const std::vector<symptoms::Symptoms>& lessons) {
   SymptomRows rows(lessons.size(), SymptomRows::ColsAtCompileTime);
@@ -45,12 +42,7 @@ class FittedNetwork final : public Trained {
         logits[index_of(label)] =
             static_cast<float>(one.logits(0, static_cast<Eigen::Index>(place)));
       }
-      std::vector<float> scores(classes);
-      softmax(static_cast<std::int64_t>(classes), logits.data(), scores.data());
-      all.hidden.insert(all.hidden.end(), one.hidden.data(),
-                        one.hidden.data() + SymptomNetwork::hidden);
-      all.logits.insert(all.logits.end(), logits.begin(), logits.end());
-      all.scores.insert(all.scores.end(), scores.begin(), scores.end());
+      append_outputs(one, logits, all);
     }
     return all;
   }
@@ -81,11 +73,11 @@ AnyBearingNetwork::AnyBearingNetwork(const std::vector<symptoms::Symptoms>& less
 void AnyBearingNetwork::write(artefact::Writer& writer) const {
   standard_.write(writer, learned);
   network_.write(writer, learned);
-  writer.attribute(learned, prewhitened, prewhitening_);
+  writer.attribute(learned, prewhitening_name, prewhitening_);
 }
 
 void require_any_bearing(const artefact::Reader& reader) {
-  (void)reader.real(learned, prewhitened, symptoms::possible_prewhitening);
+  (void)reader.real(learned, prewhitening_name, symptoms::possible_prewhitening);
   (void)SymptomStandard(reader, learned);
   SymptomNetwork(AnyBearingNetwork::outputs, 1, Stream("overwritten")).read(reader, learned);
 }
@@ -94,7 +86,7 @@ std::unique_ptr<Trained> fit_any_bearing(const artefact::Reader& network,
                                          const signal::WindowSet& normal) {
   require_fault_types(normal.info);
   SymptomScale scale(normal, SymptomStandard(network, learned),
-                     network.real(learned, prewhitened, symptoms::possible_prewhitening));
+                     network.real(learned, prewhitening_name, symptoms::possible_prewhitening));
   return std::make_unique<FittedNetwork>(std::move(scale), network);
 }
 

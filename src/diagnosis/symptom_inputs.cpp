@@ -12,8 +12,6 @@ namespace {
 using Eigen::Index;
 using symptoms::Measures;
 
-constexpr const char* prewhitening_name = "prewhitening";
-
 /// Classifiers kept before this attribute existed did not prewhiten.
 double read_prewhitening(const artefact::Reader& reader, const std::string& group) {
   if (!reader.has_attribute(group, prewhitening_name)) return 0;

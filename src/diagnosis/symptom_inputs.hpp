@@ -12,6 +12,9 @@
 
 namespace piae::diagnosis {
 
+/// Attribute of the group of stored symptoms.
+inline constexpr const char* prewhitening_name = "prewhitening";
+
 /// Makes a row for each window: its symptoms against the healthy windows of its machine, scaled by
 /// those of the training windows (symptom_standard.hpp). Each window is measured at its own shaft
 /// speed.

@@ -19,13 +19,7 @@ Outputs SymptomNet::outputs(const signal::WindowSet& windows, const std::string&
   Outputs all;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const SymptomNetwork::Outputs outputs = network_.outputs(rows.row(i));
-    std::vector<float> logits(outputs.logits.data(), outputs.logits.data() + classes_);
-    std::vector<float> scores(logits.size());
-    softmax(classes_, logits.data(), scores.data());
-    all.hidden.insert(all.hidden.end(), outputs.hidden.data(),
-                      outputs.hidden.data() + SymptomNetwork::hidden);
-    all.logits.insert(all.logits.end(), logits.begin(), logits.end());
-    all.scores.insert(all.scores.end(), scores.begin(), scores.end());
+    append_outputs(outputs, {outputs.logits.data(), outputs.logits.data() + classes_}, all);
   }
   return all;
 }

@@ -77,4 +77,14 @@ void SymptomNetwork::read(const artefact::Reader& reader, const std::string& gro
                      nets::read_parameters(reader, group, both_layers(classes_)));
 }
 
+void append_outputs(const SymptomNetwork::Outputs& of_window, const std::vector<float>& logits,
+                    Outputs& all) {
+  std::vector<float> scores(logits.size());
+  softmax(std::ssize(logits), logits.data(), scores.data());
+  all.hidden.insert(all.hidden.end(), of_window.hidden.data(),
+                    of_window.hidden.data() + SymptomNetwork::hidden);
+  all.logits.insert(all.logits.end(), logits.begin(), logits.end());
+  all.scores.insert(all.scores.end(), scores.begin(), scores.end());
+}
+
 }  // namespace piae::diagnosis

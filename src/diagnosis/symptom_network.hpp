@@ -5,10 +5,12 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "artefact/reader.hpp"
 #include "artefact/writer.hpp"
 #include "base/random.hpp"
+#include "diagnosis/classifier.hpp"
 #include "diagnosis/cross_entropy.hpp"
 #include "diagnosis/symptom_inputs.hpp"
 #include "nets/dense_chain.hpp"
@@ -55,5 +57,10 @@ class SymptomNetwork {
   nets::DenseChain<double> last_;
   std::int64_t steps_ = 0;
 };
+
+/// Appends the output of a network for one window, with the logits of the classes, and their
+/// softmax.
+void append_outputs(const SymptomNetwork::Outputs& of_window, const std::vector<float>& logits,
+                    Outputs& all);
 
 }  // namespace piae::diagnosis

@@ -73,7 +73,7 @@ double Monitor::window_s() const { return static_cast<double>(length_) / info_.s
 void Monitor::add(std::span<const std::byte> bytes, const Report& report) {
   feed_.add(
       bytes, [&](std::span<const double> samples) { judge_samples(samples, report); },
-      [&] { begin_anew(); });
+      [&] { restart(); });
 }
 
 void Monitor::take(std::span<const std::byte> bytes, const WriteLine& write) {
@@ -92,10 +92,10 @@ void Monitor::judge_samples(std::span<const double> samples, const Report& repor
 
 void Monitor::skip() {
   feed_.restart();
-  begin_anew();
+  restart();
 }
 
-void Monitor::begin_anew() {
+void Monitor::restart() {
   resampler_ = signal::StreamResampler(feed_.rate_hz(), info_.sample_rate_hz);
   cutter_.restart();
   started_at_s_ = feed_.signal_s();
@@ -103,7 +103,7 @@ void Monitor::begin_anew() {
 
 void Monitor::finish(const Report& report) {
   feed_.finish([&](std::span<const double> samples) { judge_samples(samples, report); },
-               [&] { begin_anew(); });
+               [&] { restart(); });
   resampled_.clear();
   resampler_.finish(resampled_);
   judge_windows(report);

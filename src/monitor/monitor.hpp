@@ -60,7 +60,7 @@ class Monitor final : public StreamMonitor {
 
  private:
   void judge_samples(std::span<const double> samples, const Report& report);
-  void begin_anew();
+  void restart();
   /// A window of the stream. Silent (constant) windows are not passed to the classifier.
   struct Cut {
     double end_s = 0;

@@ -38,7 +38,7 @@ const signal::Record& record_called(const signal::Recordings& recordings, const 
   }
   throw Error(Exit::bad_input, name.empty()
                                    ? "there are several records; choose one with --record: " + names
-                                   : "there is no record " + name + "; there are " + names);
+                                   : "does not have a record " + name + "; known: " + names);
 }
 
 std::size_t window_of(const signal::Record& record, double rate_hz, double window_s) {

@@ -30,23 +30,21 @@ void TrendMonitor::judge(std::span<const double> samples, const WriteLine& write
 
 void TrendMonitor::take(std::span<const std::byte> bytes, const WriteLine& write) {
   feed_.add(
-      bytes, [&](std::span<const double> samples) { judge(samples, write); },
-      [&] { begin_anew(); });
+      bytes, [&](std::span<const double> samples) { judge(samples, write); }, [&] { restart(); });
 }
 
 void TrendMonitor::skip() {
   feed_.restart();
-  begin_anew();
+  restart();
 }
 
-void TrendMonitor::begin_anew() {
+void TrendMonitor::restart() {
   cutter_.restart();
   started_at_s_ = feed_.signal_s();
 }
 
 void TrendMonitor::end(const WriteLine& write) {
-  feed_.finish([&](std::span<const double> samples) { judge(samples, write); },
-               [&] { begin_anew(); });
+  feed_.finish([&](std::span<const double> samples) { judge(samples, write); }, [&] { restart(); });
   trend_.finish(reporting(write));
 }
 

@@ -29,7 +29,7 @@ class TrendMonitor final : public monitor::StreamMonitor {
 
  private:
   void judge(std::span<const double> samples, const WriteLine& write);
-  void begin_anew();
+  void restart();
   [[nodiscard]] Trend::Report reporting(const WriteLine& write) const;
 
   Trend& trend_;

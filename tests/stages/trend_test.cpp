@@ -205,7 +205,7 @@ TEST_F(Trended, SnapshotsThatCannotServeAreRefused) {
   };
   refused({}, {"records.h5", "hold 6 windows"});
   refused({"--window-s", "0.2"}, {"longest piece has 1200 samples, but a window has 2400"});
-  refused({"--record", "other"}, {"no record other; there are run"});
+  refused({"--record", "other"}, {"does not have a record other; known: run"});
 }
 
 TEST_F(Trended, SnapshotsThatOverlapAreRefused) {

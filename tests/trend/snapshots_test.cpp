@@ -68,7 +68,7 @@ TEST(Snapshots, AreOfTheNamedRecord) {
   EXPECT_EQ(record_called(recordings, "other").signal.size(), 6U);
   EXPECT_ERROR(record_called(recordings, ""), Exit::bad_input, "--record: run, other");
   EXPECT_ERROR(record_called(recordings, "third"), Exit::bad_input,
-               "no record third; there are run, other");
+               "does not have a record third; known: run, other");
 }
 
 }  // namespace
