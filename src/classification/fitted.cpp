@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "diagnosis/any_bearing.hpp"
+#include "machines/machine.hpp"
 #include "scoring/ratios.hpp"
 #include "signal/description.hpp"
 
@@ -13,10 +14,6 @@ namespace piae::classification {
 
 namespace {
 
-using signal::Defect;
-
-constexpr std::size_t least_length = 4096;
-constexpr double least_turns = 2.3;
 constexpr std::size_t windows_overlap = 4;
 
 signal::DatasetInfo described_machine(const Sources& sources) {
@@ -28,17 +25,14 @@ signal::DatasetInfo described_machine(const Sources& sources) {
 
 signal::DatasetInfo machine_of(const Sources& sources) {
   signal::DatasetInfo info = described_machine(sources);
-  info.classes = {{.name = "healthy", .defect = Defect::none},
-                  {.name = "inner", .defect = Defect::inner},
-                  {.name = "ball", .defect = Defect::roller},
-                  {.name = "outer", .defect = Defect::outer}};
+  info.classes = machines::fault_type_classes();
   info.conditions.clear();
   return info;
 }
 
 std::size_t length_at(double rate_hz, double speed_rpm) {
-  const double needed = least_turns * 60 * rate_hz / speed_rpm;
-  std::size_t length = least_length;
+  const double needed = machines::least_turns * 60 * rate_hz / speed_rpm;
+  std::size_t length = machines::window_length;
   while (static_cast<double>(length) < needed) length *= 2;
   return length;
 }

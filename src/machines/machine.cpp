@@ -39,10 +39,7 @@ signal::DatasetInfo info_of(const bearing::Geometry& bearing, double rate_hz, do
           .sample_rate_hz = rate_hz,
           .shaft_speed_rpm = speed_rpm,
           .bearing = bearing,
-          .classes = {{.name = "healthy", .defect = Defect::none},
-                      {.name = "inner", .defect = Defect::inner},
-                      {.name = "ball", .defect = Defect::roller},
-                      {.name = "outer", .defect = Defect::outer}},
+          .classes = fault_type_classes(),
           .conditions = {}};
 }
 
@@ -51,7 +48,7 @@ signal::DatasetInfo draw_info(std::size_t length, Stream& random) {
   for (;;) {
     const bearing::Geometry bearing = draw_geometry(random);
     const double rate_hz = log_evenly(random, 10e3, 26e3);
-    const double turns = log_evenly(random, 2.3, 15);
+    const double turns = log_evenly(random, least_turns, 15);
     if (turns < symptoms::fewest_turns(bearing)) continue;
     return info_of(bearing, rate_hz, 60 * turns * rate_hz / static_cast<double>(length));
   }
@@ -84,6 +81,13 @@ std::vector<Machine::Tone> draw_tones(const signal::DatasetInfo& info, Stream& r
 }
 
 }  // namespace
+
+std::vector<signal::ClassInfo> fault_type_classes() {
+  return {{.name = "healthy", .defect = Defect::none},
+          {.name = "inner", .defect = Defect::inner},
+          {.name = "ball", .defect = Defect::roller},
+          {.name = "outer", .defect = Defect::outer}};
+}
 
 Machine draw_machine(const Stream& stream) {
   Stream random = stream.child("machine");

@@ -10,6 +10,13 @@
 
 namespace piae::machines {
 
+/// Samples of a window, and least number of shaft turns in it.
+inline constexpr std::size_t window_length = 4096;
+inline constexpr double least_turns = 2.3;
+
+/// Returns the classes healthy, inner, ball and outer.
+std::vector<signal::ClassInfo> fault_type_classes();
+
 /// A healthy machine that does not exist. Its bearing, speed, sample rate, structure, noise and
 /// tones are random (draw_machine()).
 struct Machine {
@@ -20,8 +27,8 @@ struct Machine {
     bool of_shaft = false;  ///< false: its amplitude varies with the shaft's angle
   };
 
-  signal::DatasetInfo info;   ///< with the classes healthy, inner, ball and outer
-  std::size_t length = 4096;  ///< samples of a window
+  signal::DatasetInfo info;            ///< with the classes healthy, inner, ball and outer
+  std::size_t length = window_length;  ///< samples of a window
   /// [length + 1] logarithm of the amplitude of the noise at the sensor, at the bins of a frame of
   /// two windows; its mean is 0.
   Eigen::ArrayXd log_amplitude;
