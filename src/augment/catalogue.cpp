@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "augment/diffusion.hpp"
 #include "augment/dynamics.hpp"
 #include "augment/healthy_plus_impulses.hpp"
 #include "augment/mixup.hpp"
@@ -179,6 +180,22 @@ constexpr CatalogueEntry entries[] = {
      .healthy = Healthy::required,
      .without_known = true,
      .needs = Needs::impact_rate},
+    {.name = "ddpm",
+     .kind = Kind::control,
+     .what = "a conditional denoising diffusion model",
+     .make = make<Diffusion, diffusion::Path::diffusion, Diffusion::From::known>,
+     .trains = true},
+    {.name = "ddpm-healthy",
+     .kind = Kind::control,
+     .what = "the same, of healthy windows, and a small network of what a fault changes",
+     .make = make<Diffusion, diffusion::Path::diffusion, Diffusion::From::healthy>,
+     .healthy = Healthy::required,
+     .trains = true},
+    {.name = "flow",
+     .kind = Kind::control,
+     .what = "a conditional flow from noise to windows",
+     .make = make<Diffusion, diffusion::Path::flow, Diffusion::From::known>,
+     .trains = true},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows instead of generated ones",

@@ -1,5 +1,6 @@
 // Linked into programs with LibTorch.
 
+#include "libtorch/diffusion/backend.hpp"
 #include "libtorch/latent/backends.hpp"
 #include "libtorch/twin/backend.hpp"
 #include "libtorch/wdcnn/backend.hpp"
@@ -12,6 +13,7 @@ const BackEnds* back_ends() {
                                 .vae = libtorch::vae,
                                 .wgan_gp = libtorch::wgan_gp,
                                 .generator = libtorch::open_generator,
+                                .diffusion = libtorch::diffusion_backend,
                                 .wdcnn = libtorch::wdcnn_on};
   return &all;
 }

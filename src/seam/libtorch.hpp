@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/wdcnn_backend.hpp"
+#include "diffusion/backend.hpp"
 #include "latent/generator.hpp"
 #include "latent/vae.hpp"
 #include "latent/wgan_gp.hpp"
@@ -17,6 +18,7 @@ struct BackEnds {
   latent::MakeVae vae;
   latent::MakeWganGp wgan_gp;
   latent::OpenGenerator generator;
+  diffusion::MakeDiffusionBackend diffusion;
   diagnosis::MakeWdcnnBackend (*wdcnn)(Device device);
 };
 

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "libtorch/nets/dense.hpp"
+#include "libtorch/nets/dilated.hpp"
 #include "libtorch/nets/torch.hpp"
 #include "twin/specs.hpp"
 
@@ -12,15 +13,6 @@ namespace {
 
 using twin::decoder_name;
 using twin::encoder_name;
-
-/// Runs a dilated convolution of [batch, channels, positions] with zeros beyond both ends.
-/// LibTorch's weight is [outputs, inputs, kernel].
-torch::Tensor run_dilated_convolution(const ParameterSet& parameters, const std::string& name,
-                                      const torch::Tensor& x, std::int64_t dilation) {
-  const torch::Tensor weight = parameters[name + "/weight"].transpose(1, 2);
-  const std::int64_t padding = weight.size(2) / 2 * dilation;
-  return torch::conv1d(x, weight, parameters[name + "/bias"], /*stride=*/1, padding, dilation);
-}
 
 }  // namespace
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "augment/method.hpp"
+#include "diffusion/options.hpp"
+
+namespace piae::augment {
+
+/// Methods `ddpm` (denoising diffusion: Ho, Jain and Abbeel 2020) and `flow` (conditional flow
+/// matching: Lipman et al. 2023), with the class as a condition, from the known windows; and
+/// `ddpm-healthy`, whose network first learns the healthy windows and then stays as it is, while a
+/// small second one learns what a fault changes (as FaultDiffusion, arXiv 2511.15174, keeps a model
+/// of normal data and adapts it). pipeline/protocol.toml gives the source of each setting.
+class Diffusion final : public Method {
+ public:
+  enum class From { known, healthy };
+
+  Diffusion(diffusion::Path path, From from);
+
+  [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
+  void use_healthy(const signal::WindowSet& healthy) override { healthy_ = healthy; }
+  void bind(const cli::Options& command) override;
+  void train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
+             const nets::Checkpoint& checkpoint, artefact::Writer& model) override;
+  signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
+                             const Compute& compute) override;
+
+ private:
+  From from_;
+  diffusion::DiffusionOptions options_;
+  diffusion::HealthyOptions healthy_options_;
+  std::optional<signal::WindowSet> healthy_;
+};
+
+}  // namespace piae::augment

@@ -1,0 +1,49 @@
+#include "diffusion/options.hpp"
+
+namespace piae::diffusion {
+
+namespace {
+
+cli::Check channels() {
+  return cli::number("16, 32, 48, ...", "a multiple of 16, at most 1024", [](double x) {
+    return x >= 16 && x <= 1024 && x / 16 == static_cast<int>(x) / 16;
+  });
+}
+
+}  // namespace
+
+void bind(const cli::Options& command, DiffusionOptions& o) {
+  command.add("--epochs", o.course.epochs, "passes over the known windows")
+      .check(cli::positive_number());
+  command.add("--batch", o.course.batch, "windows in a batch").check(cli::positive_number());
+  command.add("--learning-rate", o.course.learning_rate, "learning rate of Adam at the start")
+      .check(cli::positive_number());
+  command.add("--channels", o.size.channels, "channels of a block").check(channels());
+  command.add("--blocks", o.size.blocks, "residual blocks of two convolutions")
+      .check(cli::whole_number(1, 32));
+  command.add("--dropped", o.dropped, "share of windows whose class is not told, for guidance")
+      .check(cli::within({.low = 0, .high = 0.9}));
+  command.add("--guidance", o.guidance, "weight of classifier-free guidance; 0: none")
+      .check(cli::non_negative_number());
+  command.add("--steps", o.steps, "steps from noise to a window").check(cli::whole_number(1, 1000));
+  command.choose<Angle>(
+      "--angle", o.angle, {{"known", Angle::known}, {"drawn", Angle::drawn}},
+      "start of a known window: as recorded, or a random angle of its fault cycle");
+}
+
+void bind(const cli::Options& command, HealthyOptions& o) {
+  command.add("--healthy-epochs", o.course.epochs, "passes over the healthy windows")
+      .check(cli::positive_number());
+  command.add("--healthy-batch", o.course.batch, "healthy windows in a batch")
+      .check(cli::positive_number());
+  command
+      .add("--healthy-learning-rate", o.course.learning_rate,
+           "learning rate of Adam at the start, on healthy windows")
+      .check(cli::positive_number());
+  command.add("--change-channels", o.change.channels, "channels of the network of changes")
+      .check(channels());
+  command.add("--change-blocks", o.change.blocks, "residual blocks of the network of changes")
+      .check(cli::whole_number(1, 32));
+}
+
+}  // namespace piae::diffusion

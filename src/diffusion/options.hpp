@@ -1,0 +1,59 @@
+#pragma once
+
+#include "cli/options.hpp"
+#include "diffusion/denoiser.hpp"
+#include "diffusion/path.hpp"
+
+namespace piae::diffusion {
+
+/// One training of a network: on the known windows, or on healthy ones.
+struct Course {
+  int epochs = 0;            ///< passes over the windows
+  int batch = 0;             ///< windows in a step
+  double learning_rate = 0;  ///< of Adam, at the start; falls as half a cosine
+};
+
+/// The start of a known window in a step of the training.
+enum class Angle {
+  known,  ///< as recorded
+  drawn   ///< the window's fault cycle, read from a random start (phase/class_cycle.hpp)
+};
+
+/// Settings of a diffusion or flow model.
+struct DiffusionOptions {
+  Path path = Path::diffusion;
+  Course course;
+  DenoiserSize size;
+  double dropped = 0;   ///< share of windows whose class is not told, for guidance
+  double guidance = 0;  ///< w of classifier-free guidance (Ho and Salimans 2022, eq. 6)
+  int steps = 0;        ///< of the way from noise to a window
+  Angle angle = Angle::known;
+};
+
+inline constexpr DiffusionOptions ddpm_defaults{
+    .path = Path::diffusion,
+    .course = {.epochs = 2000, .batch = 45, .learning_rate = 2e-3},
+    .size = {.channels = 48, .blocks = 6},
+    .dropped = 0.1,  // Ho and Salimans 2022
+    .guidance = 0,
+    .steps = 50,
+    .angle = Angle::known};
+inline constexpr DiffusionOptions flow_defaults{
+    .path = Path::flow,
+    .course = {.epochs = 2000, .batch = 45, .learning_rate = 2e-3},
+    .size = {.channels = 48, .blocks = 6},
+    .dropped = 0.1,
+    .guidance = 0,
+    .steps = 8,
+    .angle = Angle::known};
+
+/// Settings of a model that learns the healthy windows first.
+struct HealthyOptions {
+  Course course{.epochs = 150, .batch = 50, .learning_rate = 2e-3};  ///< on the healthy windows
+  DenoiserSize change{.channels = 16, .blocks = 3};  ///< of the network of what a fault changes
+};
+
+void bind(const cli::Options& command, DiffusionOptions& options);
+void bind(const cli::Options& command, HealthyOptions& options);
+
+}  // namespace piae::diffusion
