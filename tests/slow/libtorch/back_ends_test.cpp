@@ -12,6 +12,7 @@ TEST(BackEnds, ExistInAProgramLinkedWithLibtorch) {
   EXPECT_NE(back_end(&BackEnds::vae), nullptr);
   EXPECT_NE(back_end(&BackEnds::wgan_gp), nullptr);
   EXPECT_NE(back_end(&BackEnds::generator), nullptr);
+  EXPECT_NE(back_end(&BackEnds::diffusion), nullptr);
   EXPECT_NE(back_end(&BackEnds::wdcnn), nullptr);
 }
 
