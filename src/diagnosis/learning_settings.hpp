@@ -12,7 +12,7 @@ struct LearningSettings {
   WdcnnOptions wdcnn = {};
   MakeWdcnnBackend make_backend = {};         ///< for a WDCNN
   const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
-  /// Of symptoms, from 0 to 1 (symptoms::measure()); empty for the classifier's own.
+  /// Prewhitening of symptoms, from 0 to 1 (symptoms::measure()); empty for the classifier's own.
   std::optional<double> prewhitening = {};
 };
 
