@@ -66,10 +66,9 @@ double distance_from_multiple(double order, double unit) {
 }  // namespace
 
 ArrayXd order_lines_db(std::span<const double> signal, double rate_hz, double shaft_hz) {
-  const double turns = static_cast<double>(signal.size()) / rate_hz * shaft_hz;
-  if (turns < fewest_turns_for_orders) return {};
-  const auto samples =
-      static_cast<Index>(spectra::fast_length(std::min(signal.size(), most_samples)));
+  const std::size_t used = std::min(signal.size(), most_samples);
+  if (static_cast<double>(used) / rate_hz * shaft_hz < fewest_turns_for_orders) return {};
+  const auto samples = static_cast<Index>(spectra::fast_length(used));
   const Eigen::RowVectorXd start = Eigen::Map<const Eigen::RowVectorXd>(signal.data(), samples);
   if (start.maxCoeff() == start.minCoeff()) return {};
   const ArrayXd power =
