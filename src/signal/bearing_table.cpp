@@ -113,6 +113,12 @@ std::vector<Row> rows_of(const fs::path& table) {
   return rows;
 }
 
+/// True if the row has all keys of a geometry, or BPFO and BPFI.
+bool has_lines(const Row& row) {
+  const auto is_there = [&](const char* key) { return row.keys.contains(key); };
+  return std::ranges::all_of(geometry_keys, is_there) || (is_there("bpfo") && is_there("bpfi"));
+}
+
 BearingLines lines_of(const Row& row) {
   const Keys& keys = row.keys;
   BearingLines lines{.designation = row.designation};
@@ -278,7 +284,9 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
 std::vector<BearingLines> lines_of_bearings(const fs::path& table) {
   std::vector<BearingLines> lines;
   if (!fs::exists(table)) return lines;
-  for (const Row& row : rows_of(table)) lines.push_back(lines_of(row));
+  for (const Row& row : rows_of(table)) {
+    if (has_lines(row)) lines.push_back(lines_of(row));
+  }
   return lines;
 }
 

@@ -40,7 +40,8 @@ struct BearingLines {
   std::optional<double> twice_bsf = {};  ///< empty if the table gives neither geometry nor BSF
 };
 
-/// Returns the lines of all rows of a table of bearings, in its order; nothing without the table.
+/// Returns the lines of the rows of a table of bearings, in its order. Leaves out rows with neither
+/// a whole geometry nor BPFO and BPFI. Returns nothing without the table.
 /// Throws Error(bad_input) if the table is damaged.
 std::vector<BearingLines> lines_of_bearings(const std::filesystem::path& table);
 

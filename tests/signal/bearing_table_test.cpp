@@ -109,9 +109,10 @@ TEST(BearingTable, NamesTheDeepGrooveBearingOfAnInsert) {
 }
 
 /// d / D = 7.94 / 39.04 = 0.20338: 4.5 (1 - 0.20338), 4.5 (1 + 0.20338), 1 / 0.20338 - 0.20338.
-TEST(BearingTable, ListsTheLinesOfAllRows) {
+TEST(BearingTable, ListsTheLinesOfAllCompleteRows) {
   const Folder folder;
-  const auto lines = lines_of_bearings(folder.write("bearings.csv", some_rows));
+  const auto lines = lines_of_bearings(
+      folder.write("bearings.csv", some_rows + "half,9,7.9,,0,,,,,a\nnothing,,,,,,,,,b\n"));
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0].designation, "SKF 6205-2RS JEM");
   EXPECT_NEAR(lines[0].bpfo, 3.5848, 1e-4);
