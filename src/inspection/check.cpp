@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "inspection/plausibility.hpp"
 #include "inspection/spectrum_panel.hpp"
@@ -29,6 +30,10 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
   found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
                                               rate_hz, found.source.shaft_speed_rpm);
+  if (!info.has_bearing) {
+    found.order_lines = order_lines_db(signal::longest_piece(signal, found.pieces), rate_hz,
+                                       found.shown_speed_rpm() / 60);
+  }
   found.envelope =
       envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
@@ -68,6 +73,20 @@ void look_at_record(RecordCheck& found, const Description& description,
     found.lines = fault_lines({}, info, found.source.shaft_speed_rpm);
   } else {
     look_at_signal(found, reader.resampled(found.source, std::move(raw)), info);
+  }
+}
+
+/// Names the lines of all suspect records without knowing the bearing.
+void look_for_unknown_lines(DatasetCheck& check, const Description& description) {
+  const Label healthy = description.info.healthy_label();
+  const auto known = signal::lines_of_bearings(description.bearing_table);
+  for (RecordCheck& record : check.records) {
+    if (record.source.label == healthy || record.order_lines.size() == 0) continue;
+    const RecordCheck* const reference = healthy_record_for(record, check, healthy);
+    if (reference == nullptr) continue;
+    const OrderExcess excess(record.order_lines, reference->order_lines,
+                             record.shown_speed_rpm() / 60);
+    record.unknown_line = unknown_line(excess, record.shaft && record.shaft->is_certain(), known);
   }
 }
 
@@ -140,6 +159,24 @@ double RecordCheck::longest_piece_s() const {
   return static_cast<double>(most) / source.sample_rate_hz;
 }
 
+double RecordCheck::shown_speed_rpm() const {
+  return shaft && shaft->is_certain() ? shaft->rpm : source.shaft_speed_rpm;
+}
+
+const RecordCheck* healthy_record_for(const RecordCheck& suspect, const DatasetCheck& check,
+                                      Label healthy) {
+  const auto distance = [&](const RecordCheck& other) {
+    const bool is_same = other.source.condition == suspect.source.condition;
+    return std::pair(!is_same, std::abs(other.shown_speed_rpm() / suspect.shown_speed_rpm() - 1));
+  };
+  const RecordCheck* best = nullptr;
+  for (const RecordCheck& record : check.records) {
+    if (record.source.label != healthy || record.order_lines.size() == 0) continue;
+    if (best == nullptr || distance(record) < distance(*best)) best = &record;
+  }
+  return best;
+}
+
 DatasetCheck check(const Description& description, const std::filesystem::path& data_dir,
                    const signal::RecordsDone& done) {
   DatasetCheck check;
@@ -156,6 +193,7 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
     check.records.push_back(std::move(found));
     if (done) done(check.records.size());
   }
+  if (!description.info.has_bearing) look_for_unknown_lines(check, description);
   for (const Label label : description.info.labels()) {
     check.classes.push_back(check_class(description, check, label));
     if (!check.classes.back().problem.empty()) note_exit(check, Exit::bad_input);

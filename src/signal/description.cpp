@@ -334,7 +334,8 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
     if (causes_impacts && !info.has_bearing) {
       root.refuse("bearing",
                   "is missing: it determines the impact rate of class " + c.name +
-                      "; for a fault outside raceways and balls write defect = \"other\"");
+                      "; for an unknown bearing, and for a fault outside raceways and balls, write "
+                      "defect = \"other\"");
     }
     refuse_size_without_dimensions(root, classes[i]);
     const bool is_of_unknown_size =
@@ -412,6 +413,7 @@ Description read_description(const fs::path& file) {
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
+  description.bearing_table = bearing_table_of(file);
   return description;
 }
 

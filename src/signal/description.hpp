@@ -82,6 +82,8 @@ struct Description {
   /// 0: the given speeds count.
   double speed_search_percent = 0;
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
+  /// Place of the table of bearings (bearing_table.hpp); it may be missing.
+  std::filesystem::path bearing_table = {};
 };
 
 /// Reads a description. Throws Error(bad_input) with the file, line and key for unknown or missing
