@@ -43,8 +43,10 @@ void require_records(const auto& records, const std::vector<std::string>& names,
 
 /// Finds the speed of a recording, requires that it fits, and resamples it.
 Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std::string& what) {
-  recording.shaft =
-      spectra::estimate_shaft_speed(recording.signal, rate_hz, recording.given_speed_rpm);
+  if (!recording.speeds) {
+    recording.shaft =
+        spectra::estimate_shaft_speed(recording.signal, rate_hz, recording.given_speed_rpm);
+  }
   const bool shows = recording.shaft && recording.shaft->is_within(fit.speed_search_percent,
                                                                    recording.given_speed_rpm);
   recording.shaft_speed_rpm = shows ? recording.shaft->rpm : recording.given_speed_rpm;
@@ -52,6 +54,13 @@ Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std
                                     what);
   recording.signal = signal::resample(recording.signal, rate_hz, fit.trained.sample_rate_hz);
   return recording;
+}
+
+/// Returns the mean speed over `count` samples from `first` on.
+double speed_rpm(const Recording& recording, std::size_t first, std::size_t count, double rate_hz) {
+  if (!recording.speeds) return recording.shaft_speed_rpm;
+  return recording.speeds->mean_rpm(static_cast<double>(first) / rate_hz,
+                                    static_cast<double>(first + count) / rate_hz);
 }
 
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
@@ -75,6 +84,7 @@ Recording recording_of(const signal::Record& record, const signal::DatasetInfo& 
                        const Fit& fit) {
   return fitting({.name = record.name,
                   .given_speed_rpm = record.shaft_speed_rpm,
+                  .speeds = record.speeds,
                   .true_class = described.class_of(record.label).name,
                   .signal = record.signal},
                  described.sample_rate_hz, fit, "record " + record.name);
@@ -142,8 +152,8 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
                               recording.name, from_s,
                               from_s + static_cast<double>(length) / trained.sample_rate_hz));
     }
+    windows.shaft_speed_rpm.push_back(speed_rpm(recording, first, length, trained.sample_rate_hz));
   }
-  windows.shaft_speed_rpm.assign(windows.size(), recording.shaft_speed_rpm);
   windows.condition.assign(windows.size(), signal::every_condition);
   return windows;
 }

@@ -27,8 +27,12 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
   const double rate_hz = info.sample_rate_hz;
   found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
-  found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
-                                              rate_hz, found.source.shaft_speed_rpm);
+  if (record.speeds) {
+    found.source.shaft_speed_rpm = record.shaft_speed_rpm;
+  } else {
+    found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
+                                                rate_hz, found.source.shaft_speed_rpm);
+  }
   found.envelope =
       envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
@@ -79,9 +83,11 @@ bool are_readable(const DatasetCheck& check, Label label) {
 }
 
 /// Returns class, condition and speed of each record.
-std::vector<signal::RecordPlace> places_of(const Description& description) {
+std::vector<signal::RecordPlace> places_of(const Description& description,
+                                           const DatasetCheck& check) {
   std::vector<signal::RecordPlace> places;
-  for (const signal::RecordSource& source : description.records) {
+  for (const RecordCheck& record : check.records) {
+    const signal::RecordSource& source = record.source;
     places.push_back({.label = source.label,
                       .condition = description.info.condition_called(source.condition),
                       .shaft_speed_rpm = source.shaft_speed_rpm});
@@ -122,7 +128,7 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
   try {
     const Stream any("check");
     for (const signal::Source& source :
-         sources_of(info, label, places_of(description), counts_of(split), any)) {
+         sources_of(info, label, places_of(description, check), counts_of(split), any)) {
       look_at_source(source, check, split, name_of(info, label, source), result);
     }
   } catch (const Error& error) {

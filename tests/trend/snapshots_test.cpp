@@ -25,10 +25,10 @@ signal::Record record_of(const std::vector<std::size_t>& pieces) {
 /// Returns start and first sample of each window at 10 Hz.
 std::vector<std::pair<double, float>> windows_of(const signal::Record& record, std::size_t length) {
   std::vector<std::pair<double, float>> windows;
-  for_each_window(record, 10, length, [&](double start_s, std::span<const float> window) {
-    EXPECT_EQ(window.size(), length);
-    EXPECT_EQ(window.back() - window.front(), static_cast<float>(length - 1));
-    windows.emplace_back(start_s, window.front());
+  for_each_window(record, 10, length, [&](const TimedWindow& window) {
+    EXPECT_EQ(window.samples.size(), length);
+    EXPECT_EQ(window.samples.back() - window.samples.front(), static_cast<float>(length - 1));
+    windows.emplace_back(window.start_s, window.samples.front());
   });
   return windows;
 }
