@@ -12,6 +12,7 @@
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
 #include "signal/amplitude.hpp"
+#include "signal/even_angle.hpp"
 #include "signal/ingest.hpp"
 #include "signal/resample.hpp"
 
@@ -122,6 +123,11 @@ std::vector<Recording> read_recorded(const artefact::Reader& records,
     }
   }
   return recordings;
+}
+
+std::vector<double> signal_for_lines(const Recording& recording, double rate_hz) {
+  return recording.speeds ? signal::at_even_angle(recording.signal, rate_hz, *recording.speeds)
+                          : recording.signal;
 }
 
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,

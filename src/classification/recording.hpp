@@ -66,6 +66,10 @@ std::vector<Recording> read_described(const std::filesystem::path& description,
 std::vector<Recording> read_recorded(const artefact::Reader& records,
                                      const std::vector<std::string>& names, const Fit& fit);
 
+/// Returns the signal of a recording for its lines as a whole, at the classifier's rate: at even
+/// steps of the shaft's angle (signal/even_angle.hpp), if its speed over time was recorded.
+std::vector<double> signal_for_lines(const Recording& recording, double rate_hz);
+
 /// Returns the windows of a recording, which start every `step` samples, at the speed of their own
 /// time if that was recorded. Throws Error(bad_input)
 /// for a recording shorter than a window, and for a constant stretch, which is a dead channel.

@@ -8,6 +8,7 @@
 #include "inspection/spectrum_panel.hpp"
 #include "signal/described_split.hpp"
 #include "signal/estimated_speeds.hpp"
+#include "signal/even_angle.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -33,8 +34,11 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
     found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
                                                 rate_hz, found.source.shaft_speed_rpm);
   }
-  found.envelope =
-      envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
+  const bool is_tracked = record.speeds && found.pieces.size() == 1;
+  const std::vector<double> tracked =
+      is_tracked ? at_even_angle(signal, rate_hz, *record.speeds) : std::vector<double>();
+  found.envelope = envelope_spectrum(is_tracked ? tracked : signal, rate_hz,
+                                     found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));

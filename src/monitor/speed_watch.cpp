@@ -16,7 +16,8 @@ namespace {
 constexpr double block_s = 10;
 constexpr double block_turns = 100;
 constexpr double most_samples = 1 << 19;  // that an estimate uses
-constexpr double equal_within = 0.01;
+constexpr double agree_within = 0.005;
+constexpr double report_beyond = 0.01;
 constexpr std::size_t blocks_without_use = 6;
 
 std::size_t block_of(double rate_hz, double given_rpm) {
@@ -25,9 +26,7 @@ std::size_t block_of(double rate_hz, double given_rpm) {
   return static_cast<std::size_t>(std::clamp(length_s * rate_hz, 1.0, most_samples));
 }
 
-bool are_equal(double rpm, double other_rpm) {
-  return std::abs(rpm / other_rpm - 1) <= equal_within;
-}
+double distance(double rpm, double other_rpm) { return std::abs(rpm / other_rpm - 1); }
 
 }  // namespace
 
@@ -57,7 +56,7 @@ void SpeedWatch::finish_block() {
   auto shaft = spectra::estimate_shaft_speed(samples_, rate_hz_, search_.given_rpm);
   if (shaft && !shaft->is_certain()) shaft.reset();
   restart(start_s_ + static_cast<double>(block_) / rate_hz_);
-  if (shaft && before_ && are_equal(shaft->rpm, before_->rpm)) take(shaft->rpm);
+  if (shaft && before_ && distance(shaft->rpm, before_->rpm) <= agree_within) take(shaft->rpm);
   before_ = shaft;
   ++blocks_;
   if (search_.percent > 0 || blocks_ < blocks_without_use) return;
@@ -66,14 +65,14 @@ void SpeedWatch::finish_block() {
 }
 
 void SpeedWatch::take(double rpm) {
-  const bool is_used = std::abs(rpm / search_.given_rpm - 1) <= search_.percent / 100 &&
+  const bool is_used = distance(rpm, search_.given_rpm) <= search_.percent / 100 &&
                        (!search_.fits || search_.fits(rpm));
   if (is_used) shown_.push_back({start_s_, rpm});
   report(rpm, is_used);
 }
 
 void SpeedWatch::report(double rpm, bool is_used) {
-  if (!search_.say || are_equal(rpm, reported_rpm_)) return;
+  if (!search_.say || distance(rpm, reported_rpm_) <= report_beyond) return;
   reported_rpm_ = rpm;
   const spectra::ShaftSpeed certain{.rpm = rpm,
                                     .confidence = std::numeric_limits<double>::infinity()};

@@ -7,7 +7,7 @@
 
 namespace piae::signal {
 
-/// Where the speed of a record over its time was recorded.
+/// Source of the speed of a record over its time.
 struct SpeedSource {
   /// File below DATA_DIR with a time for each pulse of a tachometer; empty: a channel of the
   /// record's own files holds the speed.

@@ -52,7 +52,7 @@ TEST_F(SpeedOfStream, IsShownByTwoBlocks) {
   EXPECT_THAT(lines_,
               ElementsAre("raw: the shaft seems to turn at 1272 rpm, 6.0 % above 1200 rpm; this "
                           "speed is used from 30 s on",
-                          "raw: the shaft seems to turn at 1160 rpm, 3.3 % below 1200 rpm; this "
+                          "raw: the shaft seems to turn at 1160 rpm, 3.4 % below 1200 rpm; this "
                           "speed is used from 80 s on"));
 }
 

@@ -43,6 +43,20 @@ TEST(Snapshots, GiveAWindowEachAtTheirTimes) {
   EXPECT_THAT(windows_of(record, 5), ElementsAre(Pair(0, 0), Pair(100, 5), Pair(300, 16)));
 }
 
+/// Blocks of 1 s at 10 Hz; the second snapshot follows the first one after 0.5 s of signal.
+TEST(Snapshots, HaveTheSpeedOfTheirOwnSamples) {
+  signal::Record record = record_of({5, 10});
+  record.snapshot_interval_s = 100;
+  const auto speeds = [&] {
+    std::vector<std::optional<double>> all;
+    for_each_window(record, 10, 5, [&](const TimedWindow& w) { all.push_back(w.speed_rpm); });
+    return all;
+  };
+  EXPECT_THAT(speeds(), ElementsAre(std::nullopt, std::nullopt));
+  record.speeds = signal::SpeedCourse{.block_s = 0.5, .rpm = {1000, 1100, 1200}};
+  EXPECT_THAT(speeds(), ElementsAre(1000.0, 1100.0));
+}
+
 TEST(Snapshots, WithoutAnIntervalContinueEachOther) {
   const signal::Record record = record_of({25, 5, 20});
   EXPECT_EQ(window_of(record, 10, 0), 10U);

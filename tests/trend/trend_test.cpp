@@ -158,7 +158,8 @@ TEST(Trend, ComparesWithAKeptBaselineFromTheStart) {
   const auto report = [&](const TrendPoint& point) { points.push_back(point); };
   Stream random("later");
   for (int minute = 0; minute < 10; ++minute) {
-    later.add(60.0 * minute, noise_window(random, 10), report);
+    const std::vector<float> window = noise_window(random, 10);
+    later.add({.start_s = 60.0 * minute, .samples = window}, report);
   }
   EXPECT_EQ(points.size(), 10U);
   EXPECT_EQ(points.back().alarm, AlarmState::on);
