@@ -57,13 +57,6 @@ Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std
   return recording;
 }
 
-/// Returns the mean speed over `count` samples from `first` on.
-double speed_rpm(const Recording& recording, std::size_t first, std::size_t count, double rate_hz) {
-  if (!recording.speeds) return recording.shaft_speed_rpm;
-  return recording.speeds->mean_rpm(static_cast<double>(first) / rate_hz,
-                                    static_cast<double>(first + count) / rate_hz);
-}
-
 bool is_chosen(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::count(names, name) > 0;
 }
@@ -158,7 +151,9 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
                               recording.name, from_s,
                               from_s + static_cast<double>(length) / trained.sample_rate_hz));
     }
-    windows.shaft_speed_rpm.push_back(speed_rpm(recording, first, length, trained.sample_rate_hz));
+    windows.shaft_speed_rpm.push_back(
+        recording.speeds ? recording.speeds->mean_rpm(first, length, trained.sample_rate_hz)
+                         : recording.shaft_speed_rpm);
   }
   windows.condition.assign(windows.size(), signal::every_condition);
   return windows;

@@ -71,8 +71,8 @@ std::vector<Recording> read_recorded(const artefact::Reader& records,
 std::vector<double> signal_for_lines(const Recording& recording, double rate_hz);
 
 /// Returns the windows of a recording, which start every `step` samples, at the speed of their own
-/// time if that was recorded. Throws Error(bad_input)
-/// for a recording shorter than a window, and for a constant stretch, which is a dead channel.
+/// time if that was recorded. Throws Error(bad_input) for a recording shorter than a window, and
+/// for a constant stretch, which is a dead channel.
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,
                              std::size_t length, std::size_t step);
 

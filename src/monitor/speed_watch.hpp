@@ -26,7 +26,7 @@ struct SpeedSearch {
 /// Estimates the speed of the shaft while a stream runs (spectra/shaft_speed.hpp), in blocks of
 /// 10 s or 100 turns, whichever is more, but at most 2^19 samples. One block of noise in 100 seems
 /// to show a speed, and a stream has thousands. So a speed counts once two successive blocks show
-/// it within 1 %, and until two others show another one. If it is not taken from the stream, only
+/// it within 0.5 %, and until two others show another one. If it is not taken from the stream, only
 /// the first six blocks are searched. The results do not depend on how the stream was cut into
 /// pieces.
 class SpeedWatch {

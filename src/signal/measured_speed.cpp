@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t fewest_pulses = 3;
 constexpr double uncovered_pulses = 2;  // at either end
 constexpr double missing_pulse = 1.5;   // step over its neighbour
+constexpr double least_step_s = 1e-3;   // of angles from a channel, so that they take less memory
 constexpr double seconds_a_minute = 60;
 
 [[noreturn]] void refuse_speed(const std::string& where, const std::string& what) {
@@ -70,6 +71,7 @@ ShaftAngle angle_of_speeds(const raw::Signals& speeds, const RecordTimes& record
   ShaftAngle angle{.time_s = {0}, .turns = {0}};
   std::size_t i = 0;
   double start_s = 0;
+  double turns = 0;
   for (std::size_t piece = 0; piece < speeds.pieces.size(); ++piece) {
     const auto count = static_cast<double>(speeds.pieces[piece].samples);
     for (double k = 1; k <= count; ++k, ++i) {
@@ -79,9 +81,10 @@ ShaftAngle angle_of_speeds(const raw::Signals& speeds, const RecordTimes& record
                                         "{}; name a channel of speeds in rpm",
                                         rpm, i, ranges::shaft_speed_rpm.rule()));
       }
+      turns += rpm / seconds_a_minute * record.piece_s[piece] / count;
       const double time_s = start_s + record.piece_s[piece] * k / count;
-      angle.turns.push_back(angle.turns.back() +
-                            rpm / seconds_a_minute * (time_s - angle.time_s.back()));
+      if (k < count && time_s - angle.time_s.back() < least_step_s) continue;
+      angle.turns.push_back(turns);
       angle.time_s.push_back(time_s);
     }
     start_s += record.piece_s[piece];

@@ -69,7 +69,7 @@ std::optional<SpeedCourse> read_speeds(const artefact::Reader& reader, const std
                      .rpm = reader.numbers<double>(path, {0}).values};
   reader.require_all(path, speeds.rpm, ranges::shaft_speed_rpm);
   const double blocks = duration_s / speeds.block_s;
-  if (std::abs(static_cast<double>(speeds.rpm.size()) - blocks) > 1) {
+  if (speeds.rpm.empty() || std::abs(static_cast<double>(speeds.rpm.size()) - blocks) > 1) {
     reader.refuse(path, fmt::format("holds {} blocks of {:g} s, but the record lasts {:g} s",
                                     speeds.rpm.size(), speeds.block_s, duration_s));
   }
@@ -154,9 +154,7 @@ std::vector<std::size_t> Record::piece_lengths() const {
 }
 
 double Record::speed_rpm(std::size_t first, std::size_t count, double rate_hz) const {
-  if (!speeds) return shaft_speed_rpm;
-  return speeds->mean_rpm(static_cast<double>(first) / rate_hz,
-                          static_cast<double>(first + count) / rate_hz);
+  return speeds ? speeds->mean_rpm(first, count, rate_hz) : shaft_speed_rpm;
 }
 
 bool Recordings::have_parameters() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace piae::signal {
 
@@ -34,6 +33,11 @@ double SpeedCourse::mean_rpm(double from_s, double to_s) const {
     sum += rpm[block] * (std::min(to_s, ends_s) - std::max(from_s, begins_s));
   }
   return sum / (to_s - from_s);
+}
+
+double SpeedCourse::mean_rpm(std::size_t first, std::size_t count, double rate_hz) const {
+  return mean_rpm(static_cast<double>(first) / rate_hz,
+                  static_cast<double>(first + count) / rate_hz);
 }
 
 SpeedCourse speed_course(const ShaftAngle& angle, double duration_s, double least_block_s) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace piae::signal {
@@ -12,6 +13,8 @@ struct SpeedCourse {
   /// Returns the mean speed from one time to a later one, in s from the start of the recording.
   /// Beyond either end, the nearest block counts.
   [[nodiscard]] double mean_rpm(double from_s, double to_s) const;
+  /// Returns the mean speed over `count` samples from `first` on, at this sample rate.
+  [[nodiscard]] double mean_rpm(std::size_t first, std::size_t count, double rate_hz) const;
 };
 
 /// Turns of a shaft since any start at ascending times, two or more. Between them, the shaft turns

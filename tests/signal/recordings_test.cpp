@@ -83,6 +83,8 @@ TEST(Recordings, AreReadBackWithSpeedsOverTime) {
   in.records[2].speeds->rpm = {1500};
   EXPECT_ERROR(load_again(), Exit::bad_input,
                "/speeds/N holds 1 blocks of 0.02 s, but the record lasts 0.05 s");
+  in.records[2].speeds->rpm = {};
+  EXPECT_ERROR(load_again(), Exit::bad_input, "/speeds/N");
   in.records[2].speeds = SpeedCourse{.block_s = 0, .rpm = {1500}};
   EXPECT_ERROR(load_again(), Exit::bad_input, "block_s");
 }
