@@ -20,20 +20,20 @@ double at(std::span<const double> signal, double place) {
 std::vector<double> at_even_angle(std::span<const double> signal, double rate_hz,
                                   const SpeedCourse& speeds) {
   if (signal.size() < 2) return {signal.begin(), signal.end()};
-  const auto samples = static_cast<double>(signal.size());
-  const double mean_rpm = speeds.mean_rpm(0, samples / rate_hz);
-  std::vector<double> even;
-  even.reserve(signal.size());
+  const double mean_rpm = speeds.mean_rpm(std::size_t{0}, signal.size(), rate_hz);
+  const double block_samples = speeds.block_s * rate_hz;
+  std::vector<double> even(signal.size());
   std::size_t block = 0;
   double start = 0;  // of the block, in samples at the mean speed
-  for (double i = 0; i < samples; ++i) {
-    double length = speeds.block_s * rate_hz * speeds.rpm[block] / mean_rpm;
-    while (start + length <= i && block + 1 < speeds.rpm.size()) {
+  for (std::size_t i = 0; i < even.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    double length = block_samples * speeds.rpm[block] / mean_rpm;
+    while (start + length <= place && block + 1 < speeds.rpm.size()) {
       start += length;
-      length = speeds.block_s * rate_hz * speeds.rpm[++block] / mean_rpm;
+      length = block_samples * speeds.rpm[++block] / mean_rpm;
     }
-    const double since = (i - start) * mean_rpm / speeds.rpm[block];
-    even.push_back(at(signal, static_cast<double>(block) * speeds.block_s * rate_hz + since));
+    const double since = (place - start) * mean_rpm / speeds.rpm[block];
+    even[i] = at(signal, static_cast<double>(block) * block_samples + since);
   }
   return even;
 }

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -73,16 +74,17 @@ ShaftAngle angle_of_speeds(const raw::Signals& speeds, const RecordTimes& record
   double start_s = 0;
   double turns = 0;
   for (std::size_t piece = 0; piece < speeds.pieces.size(); ++piece) {
-    const auto count = static_cast<double>(speeds.pieces[piece].samples);
-    for (double k = 1; k <= count; ++k, ++i) {
+    const std::size_t count = speeds.pieces[piece].samples;
+    const double step_s = record.piece_s[piece] / static_cast<double>(count);
+    for (std::size_t k = 1; k <= count; ++k, ++i) {
       const double rpm = speeds.samples[i];
       if (!ranges::shaft_speed_rpm.holds(rpm)) {
         refuse_speed(where, fmt::format("is {:g} at sample {} (counted from 0), but a shaft speed "
                                         "{}; name a channel of speeds in rpm",
                                         rpm, i, ranges::shaft_speed_rpm.rule()));
       }
-      turns += rpm / seconds_a_minute * record.piece_s[piece] / count;
-      const double time_s = start_s + record.piece_s[piece] * k / count;
+      turns += rpm / seconds_a_minute * step_s;
+      const double time_s = start_s + static_cast<double>(k) * step_s;
       if (k < count && time_s - angle.time_s.back() < least_step_s) continue;
       angle.turns.push_back(turns);
       angle.time_s.push_back(time_s);

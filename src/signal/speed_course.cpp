@@ -43,12 +43,14 @@ double SpeedCourse::mean_rpm(std::size_t first, std::size_t count, double rate_h
 SpeedCourse speed_course(const ShaftAngle& angle, double duration_s, double least_block_s) {
   constexpr double rounding = 1e-9;
   SpeedCourse course{.block_s = std::max(usual_block_s, least_block_s), .rpm = {}};
-  const double blocks = std::max(1.0, std::ceil(duration_s / course.block_s - rounding));
+  const auto blocks =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(duration_s / course.block_s - rounding)));
   std::size_t segment = 0;
   double begins_s = 0;
   double begins_at = turns_at(angle, 0, segment);
-  for (double block = 1; block <= blocks; ++block) {
-    const double ends_s = block == blocks ? duration_s : block * course.block_s;
+  for (std::size_t block = 1; block <= blocks; ++block) {
+    const double ends_s =
+        block == blocks ? duration_s : static_cast<double>(block) * course.block_s;
     const double ends_at = turns_at(angle, ends_s, segment);
     course.rpm.push_back(seconds_a_minute * (ends_at - begins_at) / (ends_s - begins_s));
     begins_s = ends_s;

@@ -74,7 +74,7 @@ TEST_F(Speeds, OfPulsesLeadToADiagnosis) {
   run_well("verify", {"records.h5", "A.h5", "B.h5", "C.h5", "D.h5"});
   run_well("diagnose",
            {"--test", "A.h5", "--normal", "B.h5", "--known", "C.h5", "--ratio", "100to1", "--seed",
-            "0", "--classifier", "exclusion-rule", "--output", "diagnosis.h5"});
+            "0", "--classifier", "nearest-orders", "--output", "diagnosis.h5"});
   const artefact::Reader reader(folder_ / "diagnosis.h5", "diagnosis");
   EXPECT_EQ(scoring::read_diagnosis(reader).accuracy(), 1);
 }
