@@ -9,6 +9,7 @@
 #include "inspection/spectrum_panel.hpp"
 #include "signal/described_split.hpp"
 #include "signal/estimated_speeds.hpp"
+#include "signal/even_angle.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -28,14 +29,22 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
   const double rate_hz = info.sample_rate_hz;
   found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
-  found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
-                                              rate_hz, found.source.shaft_speed_rpm);
+  if (record.speeds) {
+    found.source.shaft_speed_rpm = record.shaft_speed_rpm;
+  } else {
+    found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
+                                                rate_hz, found.source.shaft_speed_rpm);
+  }
+  const bool is_tracked = record.speeds && found.pieces.size() == 1;
+  const std::vector<double> tracked =
+      is_tracked ? at_even_angle(signal, rate_hz, *record.speeds) : std::vector<double>();
+  const std::vector<double>& even = is_tracked ? tracked : signal;
   if (!info.has_bearing) {
-    found.order_lines = order_lines_db(signal::longest_piece(signal, found.pieces), rate_hz,
+    found.order_lines = order_lines_db(signal::longest_piece(even, found.pieces), rate_hz,
                                        found.shown_speed_rpm() / 60);
   }
   found.envelope =
-      envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
+      envelope_spectrum(even, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
@@ -98,9 +107,11 @@ bool are_readable(const DatasetCheck& check, Label label) {
 }
 
 /// Returns class, condition and speed of each record.
-std::vector<signal::RecordPlace> places_of(const Description& description) {
+std::vector<signal::RecordPlace> places_of(const Description& description,
+                                           const DatasetCheck& check) {
   std::vector<signal::RecordPlace> places;
-  for (const signal::RecordSource& source : description.records) {
+  for (const RecordCheck& record : check.records) {
+    const signal::RecordSource& source = record.source;
     places.push_back({.label = source.label,
                       .condition = description.info.condition_called(source.condition),
                       .shaft_speed_rpm = source.shaft_speed_rpm});
@@ -141,7 +152,7 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
   try {
     const Stream any("check");
     for (const signal::Source& source :
-         sources_of(info, label, places_of(description), counts_of(split), any)) {
+         sources_of(info, label, places_of(description, check), counts_of(split), any)) {
       look_at_source(source, check, split, name_of(info, label, source), result);
     }
   } catch (const Error& error) {

@@ -41,7 +41,7 @@ struct FileCheck {
 
 /// Results for one record. An unreadable record has a problem and no numbers.
 struct RecordCheck {
-  signal::RecordSource source;
+  signal::RecordSource source;   ///< with the mean speed, if the speed over time was recorded
   std::size_t file_samples = 0;  ///< before resampling
   /// Samples of each file at the data set's sample rate.
   std::vector<std::size_t> pieces;
@@ -56,7 +56,8 @@ struct RecordCheck {
   /// Level in the data set's unit, at its rate. Empty for a constant signal and for a record beyond
   /// longest_record_s, which has no measured lines either.
   std::optional<Level> level;
-  /// Speed of the shaft in the longest piece; empty like `level`, and if too short.
+  /// Speed of the shaft in the longest piece; empty like `level`, if too short, and if the speed
+  /// over time was recorded.
   std::optional<spectra::ShaftSpeed> shaft;
   FaultLines lines;
   /// order_lines_db() of the longest piece, if the bearing is not described.

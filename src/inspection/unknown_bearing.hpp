@@ -9,7 +9,7 @@
 
 namespace piae::inspection {
 
-/// Kind of fault that the lines of a record look like.
+/// Fault type that the lines of a record look like.
 enum class Likeness { nothing, outer, inner, outer_or_inner, ball, cage };
 
 /// Fault line of a bearing without known geometry.
