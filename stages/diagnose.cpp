@@ -11,6 +11,7 @@
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/diagnosis.hpp"
 #include "seam/libtorch.hpp"
+#include "symptoms/measures.hpp"
 
 using namespace piae;
 namespace fs = std::filesystem;
@@ -29,7 +30,7 @@ int main(int argc, char** argv) {
       "own.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
-  diagnosis::WdcnnOptions options;
+  diagnosis::LearningSettings settings;
   std::string ratio_name;
   std::string classifier_name = scoring::paper_classifier;
   cli::RunOptions run;
@@ -67,7 +68,13 @@ int main(int argc, char** argv) {
   stage.options().flag("--reproducible", reproducible,
                        "leave out the attribute train_windows_per_second, so that repeated runs "
                        "give the same bytes");
-  bind(stage.options(), options);
+  stage.options()
+      .add("--prewhitening", settings.prewhitening,
+           "power of a spectrum's own amplitude that divides it, from 0 to 1; for the rules (0.5) "
+           "and symptom-net (0)")
+      .check(cli::within(symptoms::possible_prewhitening));
+  stage.record_unless_default("--prewhitening");
+  bind(stage.options(), settings.wdcnn);
 
   return stage.run(argc, argv, [&] {
     const diagnosis::Classifier& classifier = diagnosis::the_classifier(classifier_name);
@@ -75,16 +82,17 @@ int main(int argc, char** argv) {
       throw Error(Exit::usage, "give --output or --keep-classifier (see diagnose --help)");
     }
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
-    const diagnosis::MakeWdcnnBackend make_backend =
-        classifier.represent != nullptr ? seam::wdcnn_backend(run.compute, argv) : nullptr;
+    if (classifier.represent != nullptr) {
+      settings.make_backend = seam::wdcnn_backend(run.compute, argv);
+    }
     std::optional<artefact::Reader> network;
-    if (!network_file.empty()) network = stage.open("network", network_file, "any-bearing");
+    if (!network_file.empty()) {
+      settings.network = &network.emplace(stage.open("network", network_file, "any-bearing"));
+    }
     diagnosis::Diagnosis diagnosis({.classifier = classifier,
                                     .ratio = ratio,
                                     .seed = run.seed,
-                                    .options = options,
-                                    .make_backend = make_backend,
-                                    .network = network ? &*network : nullptr,
+                                    .settings = settings,
                                     .keep_features = keep_features},
                                    diagnosis::read_inputs(stage, files), files.known.string());
     cli::Progress progress("diagnose", "epochs", diagnosis.epochs(!classifier_file.empty()));

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "cli/progress.hpp"
@@ -36,13 +37,19 @@ void check_files(const signal::Description& description, const fs::path& data_di
   }
 }
 
-/// Takes the speeds from the signals, if the description asks for it. Returns a line about them.
+/// Takes the speeds from the signals and from what was recorded next to them, if the description
+/// asks for it. Returns a line about those from the signals.
 std::string speeds_of_signals(signal::Description& description, const fs::path& data_dir) {
-  if (description.speed_search_percent == 0) return "";
-  cli::Progress progress("speeds", "records", description.records.size());
+  const auto reads = [&](const signal::RecordSource& source) {
+    return reads_for_speed(description, source);
+  };
+  const auto read = static_cast<std::size_t>(std::ranges::count_if(description.records, reads));
+  if (read == 0) return "";
+  cli::Progress progress("speeds", "records", read);
   std::size_t done = 0;
   const auto [found, lowest, highest] =
       signal::use_speeds_of_signals(description, data_dir, [&] { progress.update(++done); });
+  if (description.speed_search_percent == 0) return "";
   return fmt::format(
       "speeds: {} of {} from the signals, {:+.1f} to {:+.1f} % of the given ones, the others as "
       "given\n",

@@ -42,6 +42,8 @@ std::string follow(monitor::Input& input, monitor::StreamMonitor& stream,
                         write_to_standard_output);
 }
 
+void warn(const std::string& line) { spdlog::warn(line); }
+
 void classify_stream(cli::Stage& stage, const Settings& settings) {
   const monitor::MonitorOptions& options = settings.options;
   require_given(options);
@@ -52,8 +54,24 @@ void classify_stream(cli::Stage& stage, const Settings& settings) {
   const auto predict = [&](const signal::WindowSet& windows) {
     return classifier.predict(windows);
   };
-  monitor::Monitor monitor(classifier.info(), classifier.length(), predict, options, input.name());
+  const auto fits = [&](double rpm) {
+    return diagnosis::is_fitting_speed(classifier.classifier(), classifier.info(), rpm);
+  };
+  monitor::Monitor monitor(classifier.info(), classifier.length(), predict, options, input.name(),
+                           {.fits = fits, .say = warn});
   spdlog::info(follow(input, monitor, settings));
+}
+
+/// Returns the search for the speed at which the fault lines lie.
+monitor::SpeedSearch search_of_lines(trend::Session& session,
+                                     const monitor::MonitorOptions& options) {
+  const std::optional<trend::Lines>& lines = session.trend().meter().lines();
+  if (!lines && options.speed_search_percent > 0) {
+    throw Error(Exit::usage,
+                "--speed-search-percent needs fault lines: give --description and --speed-rpm, and "
+                "windows that show them (--window-s)");
+  }
+  return search_of(options, lines ? lines->speed_rpm : 0, {.say = warn});
 }
 
 void watch_trend_of_stream(cli::Stage& stage, const Settings& settings) {
@@ -63,7 +81,8 @@ void watch_trend_of_stream(cli::Stage& stage, const Settings& settings) {
   trend::Session session =
       session_of_stream(stage, settings.sources,
                         {options.sample_rate_hz, options.speed_rpm, options.every_s}, input.name());
-  trend::TrendMonitor monitor(session.trend(), options.format, input.name(), session.remember());
+  trend::TrendMonitor monitor(session.trend(), options.format, input.name(), session.remember(),
+                              search_of_lines(session, options));
   const std::string summary = follow(input, monitor, settings);
   if (!cli::interrupted()) session.require_baseline();
   save(stage, settings.sources, session);
@@ -71,6 +90,11 @@ void watch_trend_of_stream(cli::Stage& stage, const Settings& settings) {
 }
 
 void watch_trend_of_record(cli::Stage& stage, const Settings& settings) {
+  if (settings.options.speed_search_percent > 0) {
+    throw Error(Exit::usage,
+                "--speed-search-percent is for streams: ingest finds the speeds of records "
+                "(speed_search_percent of their description)");
+  }
   trend::Session session = session_of_record(stage, settings.sources);
   session.watch_record(write_to_standard_output);
   session.require_baseline();

@@ -67,8 +67,9 @@ std::array<LineEvidence, 3> line_evidence(const Verdict& verdict, const signal::
   if (!info.has_bearing) return evidence;
   const Recording& recording = verdict.recording;
   // Verdict::envelope is only the shown part.
-  const EnvelopeSpectrum spectrum = inspection::envelope_spectrum(
-      recording.signal, info.sample_rate_hz, recording.shaft_speed_rpm / 60);
+  const EnvelopeSpectrum spectrum =
+      inspection::envelope_spectrum(signal_for_lines(recording, info.sample_rate_hz),
+                                    info.sample_rate_hz, recording.shaft_speed_rpm / 60);
   const bearing::FaultFrequencies rates =
       bearing::fault_frequencies(info.bearing, recording.shaft_speed_rpm);
   for (LineEvidence& each : evidence) {

@@ -12,6 +12,7 @@
 #include "diagnosis/fitting_signal.hpp"
 #include "raw/file.hpp"
 #include "signal/amplitude.hpp"
+#include "signal/even_angle.hpp"
 #include "signal/ingest.hpp"
 #include "signal/resample.hpp"
 
@@ -43,8 +44,10 @@ void require_records(const auto& records, const std::vector<std::string>& names,
 
 /// Finds the speed of a recording, requires that it fits, and resamples it.
 Recording fitting(Recording recording, double rate_hz, const Fit& fit, const std::string& what) {
-  recording.shaft =
-      spectra::estimate_shaft_speed(recording.signal, rate_hz, recording.given_speed_rpm);
+  if (!recording.speeds) {
+    recording.shaft =
+        spectra::estimate_shaft_speed(recording.signal, rate_hz, recording.given_speed_rpm);
+  }
   const bool shows = recording.shaft && recording.shaft->is_within(fit.speed_search_percent,
                                                                    recording.given_speed_rpm);
   recording.shaft_speed_rpm = shows ? recording.shaft->rpm : recording.given_speed_rpm;
@@ -75,6 +78,7 @@ Recording recording_of(const signal::Record& record, const signal::DatasetInfo& 
                        const Fit& fit) {
   return fitting({.name = record.name,
                   .given_speed_rpm = record.shaft_speed_rpm,
+                  .speeds = record.speeds,
                   .true_class = described.class_of(record.label).name,
                   .signal = record.signal},
                  described.sample_rate_hz, fit, "record " + record.name);
@@ -114,6 +118,11 @@ std::vector<Recording> read_recorded(const artefact::Reader& records,
   return recordings;
 }
 
+std::vector<double> signal_for_lines(const Recording& recording, double rate_hz) {
+  return recording.speeds ? signal::at_even_angle(recording.signal, rate_hz, *recording.speeds)
+                          : recording.signal;
+}
+
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,
                              std::size_t length, std::size_t step) {
   if (recording.signal.size() < length) {
@@ -142,8 +151,10 @@ signal::WindowSet windows_of(const Recording& recording, const signal::DatasetIn
                               recording.name, from_s,
                               from_s + static_cast<double>(length) / trained.sample_rate_hz));
     }
+    windows.shaft_speed_rpm.push_back(
+        recording.speeds ? recording.speeds->mean_rpm(first, length, trained.sample_rate_hz)
+                         : recording.shaft_speed_rpm);
   }
-  windows.shaft_speed_rpm.assign(windows.size(), recording.shaft_speed_rpm);
   windows.condition.assign(windows.size(), signal::every_condition);
   return windows;
 }

@@ -30,7 +30,9 @@ struct Recording {
   /// Speed that the signal shows, within 10 % of the given one; empty if too short.
   std::optional<spectra::ShaftSpeed> shaft = std::nullopt;
   double shaft_speed_rpm = 0;  ///< the shown speed if it was searched and is certain, or the given
-  std::string true_class;      ///< class according to its description; empty without one
+  /// Speed over time, if it was recorded; its mean is then the given speed, and none is searched.
+  std::optional<signal::SpeedCourse> speeds = std::nullopt;
+  std::string true_class;  ///< class according to its description; empty without one
   std::vector<double> signal;
 };
 
@@ -64,8 +66,13 @@ std::vector<Recording> read_described(const std::filesystem::path& description,
 std::vector<Recording> read_recorded(const artefact::Reader& records,
                                      const std::vector<std::string>& names, const Fit& fit);
 
-/// Returns the windows of a recording, which start every `step` samples. Throws Error(bad_input)
-/// for a recording shorter than a window, and for a constant stretch, which is a dead channel.
+/// Returns the signal of a recording for its lines as a whole, at the classifier's rate: at even
+/// steps of the shaft's angle (signal/even_angle.hpp), if its speed over time was recorded.
+std::vector<double> signal_for_lines(const Recording& recording, double rate_hz);
+
+/// Returns the windows of a recording, which start every `step` samples, at the speed of their own
+/// time if that was recorded. Throws Error(bad_input) for a recording shorter than a window, and
+/// for a constant stretch, which is a dead channel.
 signal::WindowSet windows_of(const Recording& recording, const signal::DatasetInfo& trained,
                              std::size_t length, std::size_t step);
 

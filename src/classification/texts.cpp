@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bearing/defect.hpp"
-#include "inspection/shown_speed.hpp"
+#include "spectra/shown_speed.hpp"
 #include "text/csv.hpp"
 #include "text/table.hpp"
 
@@ -107,7 +107,7 @@ std::string speeds_of(const std::vector<Verdict>& verdicts) {
   std::string lines;
   for (const Verdict& verdict : verdicts) {
     const Recording& recording = verdict.recording;
-    const std::string other = inspection::other_speed(recording.shaft, recording.given_speed_rpm);
+    const std::string other = spectra::other_speed(recording.shaft, recording.given_speed_rpm);
     if (other.empty()) continue;
     const bool is_used = recording.shaft_speed_rpm != recording.given_speed_rpm;
     lines += fmt::format(

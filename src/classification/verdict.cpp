@@ -47,8 +47,9 @@ Verdict judge(Recording recording, diagnosis::KeptClassifier& classifier, std::s
   verdict.label = static_cast<Label>(named);
   verdict.share =
       static_cast<double>(std::ranges::count(verdict.predictions.labels, verdict.label)) / n;
-  verdict.envelope = inspection::envelope_spectrum(recording.signal, info.sample_rate_hz,
-                                                   recording.shaft_speed_rpm / 60);
+  verdict.envelope =
+      inspection::envelope_spectrum(signal_for_lines(recording, info.sample_rate_hz),
+                                    info.sample_rate_hz, recording.shaft_speed_rpm / 60);
   verdict.lines = inspection::fault_lines(verdict.envelope, info, recording.shaft_speed_rpm);
   inspection::keep_shown_part(verdict.envelope, verdict.lines, recording.shaft_speed_rpm / 60);
   verdict.recording = std::move(recording);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,11 +12,15 @@ namespace piae::cli {
 
 namespace {
 
-/// The help does not show defaults of lists.
+/// The help does not show defaults of lists, and of values that are optional.
 template <class T>
 void leave_out_default(CLI::Option& /*option*/, const T& /*value*/) {}
 template <class T>
 void leave_out_default(CLI::Option& option, const std::vector<T>& /*values*/) {
+  option.default_str("");
+}
+template <class T>
+void leave_out_default(CLI::Option& option, const std::optional<T>& /*value*/) {
   option.default_str("");
 }
 
@@ -57,6 +62,7 @@ template Option Options::add(const std::string&, int&, const std::string&) const
 template Option Options::add(const std::string&, std::int64_t&, const std::string&) const;
 template Option Options::add(const std::string&, std::size_t&, const std::string&) const;
 template Option Options::add(const std::string&, double&, const std::string&) const;
+template Option Options::add(const std::string&, std::optional<double>&, const std::string&) const;
 template Option Options::add(const std::string&, std::string&, const std::string&) const;
 template Option Options::add(const std::string&, std::filesystem::path&, const std::string&) const;
 template Option Options::add(const std::string&, std::vector<std::string>&,

@@ -50,9 +50,9 @@ class Options {
   [[nodiscard]] Options in_group(const std::string& group) const;
 
   /// Adds an option. `value` holds the default, and the given value after parsing; it must live
-  /// until then. T is int, std::int64_t, std::size_t, double, std::string, std::filesystem::path,
-  /// or a vector of std::string, std::int64_t or std::filesystem::path. An option with a vector
-  /// takes any number of values.
+  /// until then. T is int, std::int64_t, std::size_t, double, std::optional<double>, std::string,
+  /// std::filesystem::path, or a vector of std::string, std::int64_t or std::filesystem::path. An
+  /// option with a vector takes any number of values.
   template <class T>
   Option add(const std::string& name, T& value, const std::string& help) const;
   /// Adds an option that accepts one of several words, each with a value. `value` holds the

@@ -73,11 +73,11 @@ AnyBearingNetwork::AnyBearingNetwork(const std::vector<symptoms::Symptoms>& less
 void AnyBearingNetwork::write(artefact::Writer& writer) const {
   standard_.write(writer, learned);
   network_.write(writer, learned);
-  writer.attribute(learned, prewhitening_name, prewhitening_);
+  writer.attribute(learned, symptoms::prewhitening_name, prewhitening_);
 }
 
 void require_any_bearing(const artefact::Reader& reader) {
-  (void)reader.real(learned, prewhitening_name, symptoms::possible_prewhitening);
+  (void)reader.real(learned, symptoms::prewhitening_name, symptoms::possible_prewhitening);
   (void)SymptomStandard(reader, learned);
   SymptomNetwork(AnyBearingNetwork::outputs, 1, Stream("overwritten")).read(reader, learned);
 }
@@ -85,8 +85,9 @@ void require_any_bearing(const artefact::Reader& reader) {
 std::unique_ptr<Trained> fit_any_bearing(const artefact::Reader& network,
                                          const signal::WindowSet& normal) {
   require_fault_types(normal.info);
-  SymptomScale scale(normal, SymptomStandard(network, learned),
-                     network.real(learned, prewhitening_name, symptoms::possible_prewhitening));
+  SymptomScale scale(
+      normal, SymptomStandard(network, learned),
+      network.real(learned, symptoms::prewhitening_name, symptoms::possible_prewhitening));
   return std::make_unique<FittedNetwork>(std::move(scale), network);
 }
 

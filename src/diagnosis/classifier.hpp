@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -80,10 +81,14 @@ struct Classifier {
   /// CWRU's records alone make 4 %.
   double slowest = 0.95;
   double fastest = 1.05;
+  /// Prewhitening of its symptoms (symptoms::measure()) unless an option gives another; empty for
+  /// classifiers that learn without symptoms.
+  std::optional<double> prewhitening = {};
   /// Trains a classifier other than WDCNN. `normal` is B; `training` is the whole training set, B
-  /// first.
+  /// first. `prewhitening` is 0 for those that learn without symptoms.
   Learned (*learn)(const signal::WindowSet& normal, const signal::WindowSet& training,
-                   const Stream& stream, const EpochDone& epoch_done) = nullptr;
+                   double prewhitening, const Stream& stream,
+                   const EpochDone& epoch_done) = nullptr;
   /// Reads a trained classifier, written for windows of that data set with `length` samples each.
   std::unique_ptr<Trained> (*read)(const artefact::Reader& reader, const signal::DatasetInfo& info,
                                    std::size_t length) = nullptr;

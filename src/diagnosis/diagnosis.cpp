@@ -21,6 +21,12 @@ void require_fitting_options(const Task& task, const Inputs& inputs) {
                                          "option out, or choose another --classifier",
                                          classifier.name));
   }
+  if (task.settings.prewhitening && !classifier.prewhitening) {
+    throw Error(Exit::usage,
+                fmt::format("--prewhitening: {} does not learn from symptoms; leave the "
+                            "option out, or choose another --classifier",
+                            classifier.name));
+  }
   if (classifier.rule && inputs.generated) {
     throw Error(Exit::usage, fmt::format("--generated: {} is a rule and uses healthy windows "
                                          "only; leave the option out and give --ratio {}",
@@ -59,12 +65,12 @@ Lessons Diagnosis::lessons() const {
 
 std::size_t Diagnosis::epochs(bool is_kept) const {
   const std::int64_t trainings = 1 + (is_kept ? trainings_to_keep(training_set_, lessons()) : 0);
-  return static_cast<std::size_t>(trainings * epochs_of(task_.classifier, task_.options));
+  return static_cast<std::size_t>(trainings * epochs_of(task_.classifier, task_.settings.wdcnn));
 }
 
 void Diagnosis::learn(const EpochDone& epoch_done) {
-  learned_ = diagnosis::learn(task_.classifier, inputs_.normal, training_set_, task_.options,
-                              stream_, task_.make_backend, epoch_done, task_.network);
+  learned_ = diagnosis::learn(task_.classifier, inputs_.normal, training_set_, task_.settings,
+                              stream_, epoch_done);
 }
 
 std::optional<double> Diagnosis::windows_per_second() const {
@@ -133,11 +139,7 @@ std::string Diagnosis::write_classifier(artefact::Writer& writer, const EpochDon
 
 KeptClassifier Diagnosis::keep(const EpochDone& epoch_done) {
   return diagnosis::keep(task_.classifier, std::move(learned_.trained), training_set_, lessons(),
-                         {.options = task_.options,
-                          .stream = stream_,
-                          .make_backend = task_.make_backend,
-                          .epoch_done = epoch_done,
-                          .network = task_.network},
+                         {.settings = task_.settings, .stream = stream_, .epoch_done = epoch_done},
                          {.method = inputs_.method,
                           .ratio = task_.ratio.name,
                           .generated_per_class = task_.ratio.generated_per_class,

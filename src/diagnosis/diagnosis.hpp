@@ -10,7 +10,7 @@
 #include "diagnosis/folds.hpp"
 #include "diagnosis/inputs.hpp"
 #include "diagnosis/kept_classifier.hpp"
-#include "diagnosis/wdcnn_backend.hpp"
+#include "diagnosis/learning_settings.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "scoring/ratios.hpp"
 
@@ -21,9 +21,7 @@ struct Task {
   const Classifier& classifier;
   const scoring::Ratio& ratio;
   std::int64_t seed = 0;  ///< part of the random stream's name, with data set and ratio
-  WdcnnOptions options = {};
-  MakeWdcnnBackend make_backend = {};         ///< for a WDCNN
-  const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
+  LearningSettings settings = {};
   bool keep_features = false;  ///< true if record() includes the output of the last layers
 };
 
@@ -33,7 +31,7 @@ class Diagnosis {
  public:
   /// Throws as compose_training_set(), require_faults() and require_fitting_test_set() do, where
   /// `known_file` names C. Throws Error(usage) if features of a classifier without layers are
-  /// requested, and for a rule with generated windows.
+  /// requested, for a rule with generated windows, and for prewhitening without symptoms.
   Diagnosis(Task task, Inputs inputs, const std::string& known_file);
 
   /// Returns the epochs of learn(), plus those of keep() if the classifier is to be kept.

@@ -26,6 +26,14 @@ std::set<double> trained_speeds_rpm(const signal::DatasetInfo& trained) {
 
 }  // namespace
 
+bool is_fitting_speed(const Classifier& classifier, const signal::DatasetInfo& trained,
+                      double shaft_speed_rpm) {
+  return std::ranges::any_of(trained_speeds_rpm(trained), [&](double rpm) {
+    return shaft_speed_rpm >= classifier.slowest * rpm &&
+           shaft_speed_rpm <= classifier.fastest * rpm;
+  });
+}
+
 void require_fitting_signal(const Classifier& classifier, const signal::DatasetInfo& trained,
                             double sample_rate_hz, double shaft_speed_rpm,
                             const std::string& what) {
@@ -36,13 +44,8 @@ void require_fitting_signal(const Classifier& classifier, const signal::DatasetI
                             "rate",
                             what, sample_rate_hz, trained.sample_rate_hz));
   }
-  const std::set<double> speeds = trained_speeds_rpm(trained);
-  const auto is_near = [&](double rpm) {
-    return shaft_speed_rpm >= classifier.slowest * rpm &&
-           shaft_speed_rpm <= classifier.fastest * rpm;
-  };
-  if (std::ranges::any_of(speeds, is_near)) return;
-  const std::string all = fmt::format("{:g}", fmt::join(speeds, ", "));
+  if (is_fitting_speed(classifier, trained, shaft_speed_rpm)) return;
+  const std::string all = fmt::format("{:g}", fmt::join(trained_speeds_rpm(trained), ", "));
   throw Error(
       Exit::bad_input,
       fmt::format(

@@ -22,9 +22,7 @@ Calibration calibrated(const Classifier& classifier, const WindowSet& training,
   const LeftOut left_out = judge_left_out(
       training, folds, [&](const WindowSet& normal, const WindowSet& kept, std::int32_t fold) {
         const Stream own = relearn.stream.child("left-out" + std::to_string(fold));
-        return learn(classifier, normal, kept, relearn.options, own, relearn.make_backend,
-                     relearn.epoch_done, relearn.network)
-            .trained;
+        return learn(classifier, normal, kept, relearn.settings, own, relearn.epoch_done).trained;
       });
   return {.temperature = scoring::best_temperature(left_out.logits, left_out.labels,
                                                    training.info.classes.size()),

@@ -6,17 +6,15 @@
 #include "base/random.hpp"
 #include "diagnosis/folds.hpp"
 #include "diagnosis/kept_classifier.hpp"
-#include "diagnosis/wdcnn_backend.hpp"
+#include "diagnosis/learning_settings.hpp"
 
 namespace piae::diagnosis {
 
 /// Settings for retraining a classifier without the left-out windows.
 struct Relearn {
-  const WdcnnOptions& options;
+  const LearningSettings& settings;
   const Stream& stream;  ///< stream of the classifier; fold k draws from its child "left-out<k>"
-  const MakeWdcnnBackend& make_backend;
-  EpochDone epoch_done;                       ///< called after each epoch of these trainings
-  const artefact::Reader* network = nullptr;  ///< for a classifier that fits one
+  EpochDone epoch_done;  ///< called after each epoch of these trainings
 };
 
 /// Returns how often keep() retrains the classifier: once for each fold, or 0 if folds are not

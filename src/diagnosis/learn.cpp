@@ -53,18 +53,21 @@ Learned fitted(const Classifier& classifier, const artefact::Reader* network,
 }  // namespace
 
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
-              const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
-              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done,
-              const artefact::Reader* network) {
+              const signal::WindowSet& training, const LearningSettings& settings,
+              const Stream& stream, const EpochDone& epoch_done) {
   const std::string name = classifier.name;
   // Keep the original stream name of the paper's classifier so that stored results stay
   // reproducible.
   const Stream own = name == scoring::paper_classifier ? stream : stream.child(name);
-  if (classifier.fit != nullptr) return fitted(classifier, network, normal);
-  if (classifier.learn != nullptr) return classifier.learn(normal, training, own, epoch_done);
+  if (classifier.fit != nullptr) return fitted(classifier, settings.network, normal);
+  if (classifier.learn != nullptr) {
+    const double prewhitening = settings.prewhitening.value_or(classifier.prewhitening.value_or(0));
+    return classifier.learn(normal, training, prewhitening, own, epoch_done);
+  }
   LabelledWindows shown = classifier.represent(training, "training set");
   const std::size_t length = shown.length;
-  TrainedWdcnn wdcnn = train_wdcnn(std::move(shown), options, own, make_backend, epoch_done);
+  TrainedWdcnn wdcnn =
+      train_wdcnn(std::move(shown), settings.wdcnn, own, settings.make_backend, epoch_done);
   return {.trained = std::make_unique<WdcnnOfWindows>(std::move(wdcnn.network), length,
                                                       classifier.represent),
           .training = std::move(wdcnn.training)};

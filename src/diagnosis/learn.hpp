@@ -4,21 +4,19 @@
 
 #include "diagnosis/catalogue.hpp"
 #include "diagnosis/classifier.hpp"
-#include "diagnosis/wdcnn_backend.hpp"
+#include "diagnosis/learning_settings.hpp"
 #include "signal/window_set.hpp"
 
 namespace piae::diagnosis {
 
 /// Trains a classifier on the training windows. `normal` is B as `split` made it, because
-/// `training` loses the windows' positions once it holds generated windows. `options` and
-/// `make_backend` are for WDCNN; `network` is for a classifier that fits one, else null. Random
-/// numbers come from `stream` for the paper's classifier, and from the stream's child of the
-/// classifier's name for others. Throws as train_wdcnn(), Nearest, TrainedRule, train_symptom_net()
-/// and fit_any_bearing() do, and Error(usage) without a network.
+/// `training` loses the windows' positions once it holds generated windows. Random numbers come
+/// from `stream` for the paper's classifier, and from the stream's child of the classifier's name
+/// for others. Throws as train_wdcnn(), Nearest, TrainedRule, train_symptom_net() and
+/// fit_any_bearing() do, and Error(usage) without a network.
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
-              const signal::WindowSet& training, const WdcnnOptions& options, const Stream& stream,
-              const MakeWdcnnBackend& make_backend, const EpochDone& epoch_done = {},
-              const artefact::Reader* network = nullptr);
+              const signal::WindowSet& training, const LearningSettings& settings,
+              const Stream& stream, const EpochDone& epoch_done = {});
 
 /// Reads what Trained::write() wrote for windows of that data set, `length` samples each. Throws
 /// artefact::Refusal for other content.

@@ -28,9 +28,9 @@ Label excluded(const DatasetInfo& info, const std::vector<float>& evidence) {
                                    [&](Label label) { return evidence[index_of(label)]; });
 }
 
-std::vector<symptoms::Measures> measured(const signal::WindowSet& normal) {
+symptoms::Baselines baselines_of(const signal::WindowSet& normal, double prewhitening) {
   require_fault_types(normal.info);
-  return symptoms::measure(normal, "--normal");
+  return {normal, symptoms::measure(normal, "--normal", prewhitening), prewhitening};
 }
 
 }  // namespace
@@ -49,14 +49,15 @@ std::vector<float> evidence(const DatasetInfo& info, const Findings& findings, R
   return evidence;
 }
 
-TrainedRule::TrainedRule(const signal::WindowSet& normal, Rule rule)
-    : rule_(rule), baselines_(normal, measured(normal)) {}
+TrainedRule::TrainedRule(const signal::WindowSet& normal, Rule rule, double prewhitening)
+    : rule_(rule), baselines_(baselines_of(normal, prewhitening)) {}
 
 TrainedRule::TrainedRule(const artefact::Reader& reader, const DatasetInfo& info, Rule rule)
     : rule_(rule), baselines_(symptoms::Baselines::read(reader, learned, info.sample_rate_hz)) {}
 
 Outputs TrainedRule::outputs(const signal::WindowSet& windows, const std::string& what) {
-  const std::vector<symptoms::Measures> tested = symptoms::measure(windows, what);
+  const std::vector<symptoms::Measures> tested =
+      symptoms::measure(windows, what, baselines_.prewhitening());
   const std::size_t classes = windows.info.classes.size();
   Outputs all;
   all.scores.resize(windows.size() * classes);

@@ -68,7 +68,8 @@ void Nearest::write(artefact::Writer& writer) const {
 }
 
 Learned learn_nearest(const signal::WindowSet& /*normal*/, const signal::WindowSet& training,
-                      const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+                      double /*prewhitening*/, const Stream& /*stream*/,
+                      const EpochDone& /*epoch_done*/) {
   return {.trained = std::make_unique<Nearest>(training), .training = {}};
 }
 

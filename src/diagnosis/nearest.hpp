@@ -53,7 +53,7 @@ class Nearest final : public Trained {
 };
 
 Learned learn_nearest(const signal::WindowSet& normal, const signal::WindowSet& training,
-                      const Stream& stream, const EpochDone& epoch_done);
+                      double prewhitening, const Stream& stream, const EpochDone& epoch_done);
 std::unique_ptr<Trained> read_nearest(const artefact::Reader& reader,
                                       const signal::DatasetInfo& info, std::size_t length);
 

@@ -25,7 +25,8 @@ FeatureRows order_features(const signal::WindowSet& windows, const std::string& 
 }
 
 Learned learn_nearest_orders(const signal::WindowSet& /*normal*/, const signal::WindowSet& training,
-                             const Stream& /*stream*/, const EpochDone& /*epoch_done*/) {
+                             double /*prewhitening*/, const Stream& /*stream*/,
+                             const EpochDone& /*epoch_done*/) {
   return {.trained = std::make_unique<Nearest>(training, by_orders), .training = {}};
 }
 

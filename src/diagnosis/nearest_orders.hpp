@@ -27,7 +27,8 @@ inline constexpr WindowFeatures by_orders{.of = order_features,
 
 /// Return a Nearest by these features.
 Learned learn_nearest_orders(const signal::WindowSet& normal, const signal::WindowSet& training,
-                             const Stream& stream, const EpochDone& epoch_done);
+                             double prewhitening, const Stream& stream,
+                             const EpochDone& epoch_done);
 std::unique_ptr<Trained> read_nearest_orders(const artefact::Reader& reader,
                                              const signal::DatasetInfo& info, std::size_t length);
 

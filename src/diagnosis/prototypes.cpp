@@ -140,7 +140,8 @@ void Prototypes::write(artefact::Writer& writer) const {
 }
 
 Learned train_prototypes(const signal::WindowSet& /*normal*/, const signal::WindowSet& training,
-                         const Stream& stream, const EpochDone& epoch_done) {
+                         double /*prewhitening*/, const Stream& stream,
+                         const EpochDone& epoch_done) {
   auto trained = std::make_unique<Prototypes>(std::ssize(training.info.classes), training.length,
                                               stream.child("initial"));
   Training course = trained->train(training, stream, epoch_done);

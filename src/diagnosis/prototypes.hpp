@@ -67,7 +67,8 @@ class Prototypes final : public Trained {
 /// Trains a network on all windows of `training`. Initial values come from
 /// stream.child("initial").
 Learned train_prototypes(const signal::WindowSet& normal, const signal::WindowSet& training,
-                         const Stream& stream, const EpochDone& epoch_done = {});
+                         double prewhitening, const Stream& stream,
+                         const EpochDone& epoch_done = {});
 std::unique_ptr<Trained> read_prototypes(const artefact::Reader& reader,
                                          const signal::DatasetInfo& info, std::size_t length);
 

@@ -12,12 +12,6 @@ namespace {
 using Eigen::Index;
 using symptoms::Measures;
 
-/// Classifiers kept before this attribute existed did not prewhiten.
-double read_prewhitening(const artefact::Reader& reader, const std::string& group) {
-  if (!reader.has_attribute(group, prewhitening_name)) return 0;
-  return reader.real(group, prewhitening_name, symptoms::possible_prewhitening);
-}
-
 signal::WindowSet fault_windows(const signal::WindowSet& training) {
   const Label healthy = training.info.healthy_label();
   signal::WindowSet faults;
@@ -47,12 +41,14 @@ SymptomRows symptom_rows(const signal::WindowSet& windows, const std::vector<Mea
 
 }  // namespace
 
-SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training)
-    : SymptomScale(normal, training, symptoms::measure(normal, "--normal")) {}
+SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
+                           double prewhitening)
+    : SymptomScale(normal, training, prewhitening,
+                   symptoms::measure(normal, "--normal", prewhitening)) {}
 
 SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
-                           const std::vector<Measures>& of_normal)
-    : baselines_(normal, of_normal),
+                           double prewhitening, const std::vector<Measures>& of_normal)
+    : baselines_(normal, of_normal, prewhitening),
       labels_(normal.labels),
       training_(training_rows(normal, training, of_normal)),
       standard_(training_) {
@@ -61,14 +57,11 @@ SymptomScale::SymptomScale(const signal::WindowSet& normal, const signal::Window
 
 SymptomScale::SymptomScale(const signal::WindowSet& normal, SymptomStandard standard,
                            double prewhitening)
-    : prewhitening_(prewhitening),
-      baselines_(normal, symptoms::measure(normal, "healthy windows", prewhitening)),
+    : baselines_(normal, symptoms::measure(normal, "healthy windows", prewhitening), prewhitening),
       standard_(std::move(standard)) {}
 
 SymptomScale::SymptomScale(const artefact::Reader& reader, const std::string& group, double rate_hz)
-    : prewhitening_(read_prewhitening(reader, group)),
-      baselines_(symptoms::Baselines::read(reader, group, rate_hz)),
-      standard_(reader, group) {}
+    : baselines_(symptoms::Baselines::read(reader, group, rate_hz)), standard_(reader, group) {}
 
 SymptomRows SymptomScale::training_rows(const signal::WindowSet& normal,
                                         const signal::WindowSet& training,
@@ -87,7 +80,8 @@ SymptomRows SymptomScale::training_rows(const signal::WindowSet& normal,
 }
 
 SymptomRows SymptomScale::raw_rows_of(const signal::WindowSet& windows, const std::string& what) {
-  const std::vector<Measures> measures = symptoms::measure(windows, what, prewhitening_);
+  const std::vector<Measures> measures =
+      symptoms::measure(windows, what, baselines_.prewhitening());
   return symptom_rows(windows, measures, baselines_,
                       [&](const symptoms::Baseline& baseline, std::size_t i) {
                         return baseline.novelty().of(measures[i].shape_db);
@@ -101,7 +95,6 @@ SymptomRows SymptomScale::rows_of(const signal::WindowSet& windows, const std::s
 void SymptomScale::write(artefact::Writer& writer, const std::string& group) const {
   baselines_.write(writer, group);
   standard_.write(writer, group);
-  if (prewhitening_ > 0) writer.attribute(group, prewhitening_name, prewhitening_);
 }
 
 }  // namespace piae::diagnosis

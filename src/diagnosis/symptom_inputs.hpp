@@ -12,9 +12,6 @@
 
 namespace piae::diagnosis {
 
-/// Attribute of the group of stored symptoms.
-inline constexpr const char* prewhitening_name = "prewhitening";
-
 /// Makes a row for each window: its symptoms against the healthy windows of its machine, scaled by
 /// those of the training windows (symptom_standard.hpp). Each window is measured at its own shaft
 /// speed.
@@ -24,7 +21,8 @@ class SymptomScale {
   /// healthy training window is computed without its block of B, because tested windows are not in
   /// the baseline either. Throws Error(bad_input) if the speed of a generated window is not known
   /// (NaN, training_set.hpp), and as symptoms::measure() and symptoms::Baselines do.
-  SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training);
+  SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
+               double prewhitening);
 
   /// Takes the standard of other machines, without training windows. Throws as symptoms::measure()
   /// and symptoms::Baselines do.
@@ -38,7 +36,7 @@ class SymptomScale {
   SymptomRows rows_of(const signal::WindowSet& windows, const std::string& what);
 
   /// Writes all that rows_of() needs, below a group: what symptoms::Baselines and SymptomStandard
-  /// write, and the attribute prewhitening unless it is 0.
+  /// write.
   void write(artefact::Writer& writer, const std::string& group) const;
   /// Reads the scale of windows at this sample rate, without training windows. Throws
   /// artefact::Refusal as symptoms::Baselines and SymptomStandard do.
@@ -46,12 +44,11 @@ class SymptomScale {
 
  private:
   SymptomScale(const signal::WindowSet& normal, const signal::WindowSet& training,
-               const std::vector<symptoms::Measures>& of_normal);
+               double prewhitening, const std::vector<symptoms::Measures>& of_normal);
   SymptomRows raw_rows_of(const signal::WindowSet& windows, const std::string& what);
   SymptomRows training_rows(const signal::WindowSet& normal, const signal::WindowSet& training,
                             const std::vector<symptoms::Measures>& of_normal);
 
-  double prewhitening_ = 0;
   symptoms::Baselines baselines_;
   std::vector<Label> labels_;
   SymptomRows training_;

@@ -30,9 +30,10 @@ void SymptomNet::write(artefact::Writer& writer) const {
 }
 
 Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
-                          const Stream& stream, const EpochDone& epoch_done) {
-  auto net = std::make_unique<SymptomNet>(
-      SymptomScale(normal, training), std::ssize(training.info.classes), stream.child("initial"));
+                          double prewhitening, const Stream& stream, const EpochDone& epoch_done) {
+  auto net =
+      std::make_unique<SymptomNet>(SymptomScale(normal, training, prewhitening),
+                                   std::ssize(training.info.classes), stream.child("initial"));
   Training course = net->train(stream, epoch_done);
   return {.trained = std::move(net), .training = std::move(course)};
 }

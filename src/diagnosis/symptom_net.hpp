@@ -36,7 +36,8 @@ class SymptomNet final : public Trained {
 /// `training`, and returns the network of the last epoch. Initial values come from
 /// stream.child("initial"). Throws as SymptomScale does.
 Learned train_symptom_net(const signal::WindowSet& normal, const signal::WindowSet& training,
-                          const Stream& stream, const EpochDone& epoch_done = {});
+                          double prewhitening, const Stream& stream,
+                          const EpochDone& epoch_done = {});
 std::unique_ptr<Trained> read_symptom_net(const artefact::Reader& reader,
                                           const signal::DatasetInfo& info, std::size_t length);
 
@@ -46,6 +47,7 @@ inline constexpr Classifier symptom_net{
     .input = "17 symptoms: fault lines, kurtosis, rise of bands, novelty",
     .slowest = slowest_of_symptoms,
     .fastest = fastest_of_symptoms,
+    .prewhitening = 0,  // 0.5 would lose blind records: docs/any-bearing.md
     .learn = train_symptom_net,
     .read = read_symptom_net,
     .own_epochs = SymptomTraining::epochs};

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "inspection/plausibility.hpp"
 #include "inspection/spectrum_panel.hpp"
 #include "signal/described_split.hpp"
 #include "signal/estimated_speeds.hpp"
+#include "signal/even_angle.hpp"
 #include "signal/split.hpp"
 #include "signal/stride.hpp"
 
@@ -27,10 +29,22 @@ void look_at_signal(RecordCheck& found, const signal::Record& record,
   const double rate_hz = info.sample_rate_hz;
   found.pieces = record.piece_lengths();
   if (std::ranges::min(signal) < std::ranges::max(signal)) found.level = level_of(signal);
-  found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
-                                              rate_hz, found.source.shaft_speed_rpm);
+  if (record.speeds) {
+    found.source.shaft_speed_rpm = record.shaft_speed_rpm;
+  } else {
+    found.shaft = spectra::estimate_shaft_speed(signal::longest_piece(record.signal, found.pieces),
+                                                rate_hz, found.source.shaft_speed_rpm);
+  }
+  const bool is_tracked = record.speeds && found.pieces.size() == 1;
+  const std::vector<double> tracked =
+      is_tracked ? at_even_angle(signal, rate_hz, *record.speeds) : std::vector<double>();
+  const std::vector<double>& even = is_tracked ? tracked : signal;
+  if (!info.has_bearing) {
+    found.order_lines = order_lines_db(signal::longest_piece(even, found.pieces), rate_hz,
+                                       found.shown_speed_rpm() / 60);
+  }
   found.envelope =
-      envelope_spectrum(signal, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
+      envelope_spectrum(even, rate_hz, found.source.shaft_speed_rpm / 60, found.pieces);
   found.lines = fault_lines(found.envelope, info, found.source.shaft_speed_rpm);
   const auto shown = std::min(signal.size(), static_cast<std::size_t>(shown_s * rate_hz));
   found.beginning.assign(signal.begin(), signal.begin() + static_cast<std::ptrdiff_t>(shown));
@@ -71,6 +85,20 @@ void look_at_record(RecordCheck& found, const Description& description,
   }
 }
 
+/// Names the lines of all suspect records without knowing the bearing.
+void look_for_unknown_lines(DatasetCheck& check, const Description& description) {
+  const Label healthy = description.info.healthy_label();
+  const auto known = signal::lines_of_bearings(description.bearing_table);
+  for (RecordCheck& record : check.records) {
+    if (record.source.label == healthy || record.order_lines.size() == 0) continue;
+    const RecordCheck* const reference = healthy_record_for(record, check, healthy);
+    if (reference == nullptr) continue;
+    const OrderExcess excess(record.order_lines, reference->order_lines,
+                             record.shown_speed_rpm() / 60);
+    record.unknown_line = unknown_line(excess, record.shaft && record.shaft->is_certain(), known);
+  }
+}
+
 /// True if all records of the class are readable. An unreadable record reports its own problem.
 bool are_readable(const DatasetCheck& check, Label label) {
   return std::ranges::none_of(check.records, [&](const RecordCheck& record) {
@@ -79,9 +107,11 @@ bool are_readable(const DatasetCheck& check, Label label) {
 }
 
 /// Returns class, condition and speed of each record.
-std::vector<signal::RecordPlace> places_of(const Description& description) {
+std::vector<signal::RecordPlace> places_of(const Description& description,
+                                           const DatasetCheck& check) {
   std::vector<signal::RecordPlace> places;
-  for (const signal::RecordSource& source : description.records) {
+  for (const RecordCheck& record : check.records) {
+    const signal::RecordSource& source = record.source;
     places.push_back({.label = source.label,
                       .condition = description.info.condition_called(source.condition),
                       .shaft_speed_rpm = source.shaft_speed_rpm});
@@ -122,7 +152,7 @@ ClassCheck check_class(const Description& description, const DatasetCheck& check
   try {
     const Stream any("check");
     for (const signal::Source& source :
-         sources_of(info, label, places_of(description), counts_of(split), any)) {
+         sources_of(info, label, places_of(description, check), counts_of(split), any)) {
       look_at_source(source, check, split, name_of(info, label, source), result);
     }
   } catch (const Error& error) {
@@ -138,6 +168,24 @@ double RecordCheck::longest_piece_s() const {
   if (files.empty()) return length_s();
   const std::size_t most = std::ranges::max(files, {}, &FileCheck::samples).samples;
   return static_cast<double>(most) / source.sample_rate_hz;
+}
+
+double RecordCheck::shown_speed_rpm() const {
+  return shaft && shaft->is_certain() ? shaft->rpm : source.shaft_speed_rpm;
+}
+
+const RecordCheck* healthy_record_for(const RecordCheck& suspect, const DatasetCheck& check,
+                                      Label healthy) {
+  const auto distance = [&](const RecordCheck& other) {
+    const bool is_same = other.source.condition == suspect.source.condition;
+    return std::pair(!is_same, std::abs(other.shown_speed_rpm() / suspect.shown_speed_rpm() - 1));
+  };
+  const RecordCheck* best = nullptr;
+  for (const RecordCheck& record : check.records) {
+    if (record.source.label != healthy || record.order_lines.size() == 0) continue;
+    if (best == nullptr || distance(record) < distance(*best)) best = &record;
+  }
+  return best;
 }
 
 DatasetCheck check(const Description& description, const std::filesystem::path& data_dir,
@@ -156,6 +204,7 @@ DatasetCheck check(const Description& description, const std::filesystem::path& 
     check.records.push_back(std::move(found));
     if (done) done(check.records.size());
   }
+  if (!description.info.has_bearing) look_for_unknown_lines(check, description);
   for (const Label label : description.info.labels()) {
     check.classes.push_back(check_class(description, check, label));
     if (!check.classes.back().problem.empty()) note_exit(check, Exit::bad_input);

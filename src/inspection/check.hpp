@@ -12,6 +12,7 @@
 #include "inspection/lone_samples.hpp"
 #include "inspection/raw_flaws.hpp"
 #include "inspection/repeats.hpp"
+#include "inspection/unknown_bearing.hpp"
 #include "inspection/value_counts.hpp"
 #include "signal/description.hpp"
 #include "signal/ingest.hpp"
@@ -40,7 +41,7 @@ struct FileCheck {
 
 /// Results for one record. An unreadable record has a problem and no numbers.
 struct RecordCheck {
-  signal::RecordSource source;
+  signal::RecordSource source;   ///< with the mean speed, if the speed over time was recorded
   std::size_t file_samples = 0;  ///< before resampling
   /// Samples of each file at the data set's sample rate.
   std::vector<std::size_t> pieces;
@@ -55,9 +56,14 @@ struct RecordCheck {
   /// Level in the data set's unit, at its rate. Empty for a constant signal and for a record beyond
   /// longest_record_s, which has no measured lines either.
   std::optional<Level> level;
-  /// Speed of the shaft in the longest piece; empty like `level`, and if too short.
+  /// Speed of the shaft in the longest piece; empty like `level`, if too short, and if the speed
+  /// over time was recorded.
   std::optional<spectra::ShaftSpeed> shaft;
   FaultLines lines;
+  /// order_lines_db() of the longest piece, if the bearing is not described.
+  Eigen::ArrayXd order_lines;
+  /// Line of a suspect record, if the bearing is not described and a healthy record compares.
+  std::optional<UnknownLine> unknown_line;
   std::vector<double> beginning;  ///< the first shown_s, at the data set's sample rate
   EnvelopeSpectrum envelope;      ///< the part that the picture shows
   std::string problem = {};       ///< empty without one
@@ -67,6 +73,8 @@ struct RecordCheck {
   }
   /// Returns the length of the longest piece, in s.
   [[nodiscard]] double longest_piece_s() const;
+  /// Returns the speed that the shaft certainly shows; else the given one.
+  [[nodiscard]] double shown_speed_rpm() const;
   /// Returns the turns of the shaft in the longest piece.
   [[nodiscard]] double turns() const { return longest_piece_s() * source.shaft_speed_rpm / 60; }
 };
@@ -89,6 +97,11 @@ struct DatasetCheck {
   Exit exit = Exit::done;            ///< bad_input for bad content, else
                                      ///< input_missing if a file is missing
 };
+
+/// Returns the healthy record to compare a suspect one with: of the same condition, else of the
+/// nearest speed. Null if none has order_lines.
+const RecordCheck* healthy_record_for(const RecordCheck& suspect, const DatasetCheck& check,
+                                      Label healthy);
 
 /// Reads all files of a description. Continues after an unreadable file.
 DatasetCheck check(const signal::Description& description, const std::filesystem::path& data_dir,

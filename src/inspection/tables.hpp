@@ -7,8 +7,9 @@
 
 namespace piae::inspection {
 
-/// Returns the results as tables for a terminal of 100 columns: recordings, their fault lines, and
-/// classes. Shortens long names at their start.
+/// Returns the results as tables for a terminal of 100 columns: recordings, their fault lines
+/// (those of an unknown bearing, if none is described), and classes. Shortens long names at their
+/// start.
 std::string tables_of(const signal::Description& description, const DatasetCheck& check);
 
 /// Returns the unit of the signals in words: "g", "mg", or "units" for any other.

@@ -8,10 +8,10 @@
 #include "base/one_line.hpp"
 #include "inspection/file_warnings.hpp"
 #include "inspection/plausibility.hpp"
-#include "inspection/shown_speed.hpp"
 #include "inspection/warning_text.hpp"
 #include "signal/described_split.hpp"
 #include "spectra/floors.hpp"
+#include "spectra/shown_speed.hpp"
 
 namespace piae::inspection {
 
@@ -48,7 +48,7 @@ void add_speeds(const Description& description, Lines& lines) {
 /// Warns of records whose shaft shows another speed than the given one.
 void add_other_speeds(const std::vector<RecordCheck>& records, Lines& lines) {
   const auto other = [](const RecordCheck& record) {
-    return other_speed(record.shaft, record.source.shaft_speed_rpm);
+    return spectra::other_speed(record.shaft, record.source.shaft_speed_rpm);
   };
   std::vector<const RecordCheck*> others;
   for (const RecordCheck& record : records) {

@@ -28,9 +28,8 @@ WindowSet fault_windows_of(const Machine& machine, const LessonOptions& options,
   return faults;
 }
 
-void add_lessons(const WindowSet& windows, symptoms::Baselines& reference, double prewhitening,
-                 Lessons& lessons) {
-  const auto measures = symptoms::measure(windows, "lesson", prewhitening);
+void add_lessons(const WindowSet& windows, symptoms::Baselines& reference, Lessons& lessons) {
+  const auto measures = symptoms::measure(windows, "lesson", reference.prewhitening());
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const symptoms::Baseline& baseline = reference.at(windows.speed_rpm(i));
     lessons.symptoms.push_back(
@@ -43,13 +42,13 @@ Lessons lessons_of_one(const LessonOptions& options, const Stream& stream) {
   const Machine machine = draw_machine(stream);
   const WindowSet healthy = healthy_windows(machine, static_cast<std::size_t>(options.reference),
                                             Day::of_reference, stream.child("reference"));
-  symptoms::Baselines reference(healthy,
-                                symptoms::measure(healthy, "reference", options.prewhitening));
+  symptoms::Baselines reference(
+      healthy, symptoms::measure(healthy, "reference", options.prewhitening), options.prewhitening);
   Lessons lessons;
   add_lessons(healthy_windows(machine, static_cast<std::size_t>(options.healthy), Day::other,
                               stream.child("healthy")),
-              reference, options.prewhitening, lessons);
-  add_lessons(fault_windows_of(machine, options, stream), reference, options.prewhitening, lessons);
+              reference, lessons);
+  add_lessons(fault_windows_of(machine, options, stream), reference, lessons);
   return lessons;
 }
 

@@ -34,6 +34,11 @@ void bind(const cli::Options& command, MonitorOptions& options) {
   command.add("--speed-rpm", options.speed_rpm, "shaft speed, rpm")
       .check(cli::within(signal::ranges::shaft_speed_rpm));
   command
+      .add("--speed-search-percent", options.speed_search_percent,
+           "take the shaft speed from the signal, within this range about the given speed; where "
+           "the shaft hardly shows, and with 0, the given speed counts")
+      .check(cli::within(signal::ranges::speed_search_percent));
+  command
       .add("--stride", options.stride,
            "distance between window starts, samples at the classifier's rate; 0: the window "
            "length, so that every sample is used once")
@@ -54,12 +59,19 @@ void require_given(const MonitorOptions& options) {
   if (options.speed_rpm <= 0) refuse("--speed-rpm");
 }
 
+SpeedSearch search_of(const MonitorOptions& options, double speed_rpm, SpeedSearch search) {
+  search.given_rpm = speed_rpm;
+  search.percent = options.speed_search_percent;
+  return search;
+}
+
 Monitor::Monitor(const signal::DatasetInfo& info, std::size_t length, Predict predict,
-                 const MonitorOptions& options, const std::string& stream)
+                 const MonitorOptions& options, const std::string& stream, SpeedSearch search)
     : info_(info),
       length_(length),
       predict_(std::move(predict)),
-      speed_rpm_(options.speed_rpm),
+      speed_(options.sample_rate_hz, search_of(options, options.speed_rpm, std::move(search)),
+             stream),
       feed_(options.format, stream, options.sample_rate_hz),
       resampler_(options.sample_rate_hz, info.sample_rate_hz),
       cutter_(length, options.stride == 0 ? length : options.stride),
@@ -85,6 +97,7 @@ void Monitor::end(const WriteLine& write) {
 }
 
 void Monitor::judge_samples(std::span<const double> samples, const Report& report) {
+  speed_.add(samples);
   resampled_.clear();
   resampler_.add(samples, resampled_);
   judge_windows(report);
@@ -99,6 +112,7 @@ void Monitor::restart() {
   resampler_ = signal::StreamResampler(feed_.rate_hz(), info_.sample_rate_hz);
   cutter_.restart();
   started_at_s_ = feed_.signal_s();
+  speed_.restart(started_at_s_);
 }
 
 void Monitor::finish(const Report& report) {
@@ -127,8 +141,8 @@ void Monitor::judge_windows(const Report& report) {
       if (cuts.back().silent) continue;
       moving.samples.insert(moving.samples.end(), window->samples.begin(), window->samples.end());
       moving.labels.push_back(info_.healthy_label());
+      moving.shaft_speed_rpm.push_back(speed_.rpm_at(cuts.back().end_s));
     }
-    moving.shaft_speed_rpm.assign(moving.size(), speed_rpm_);
     moving.condition.assign(moving.size(), signal::every_condition);
     if (cuts.empty()) return;
     judge_cuts(cuts, moving.size() > 0 ? predict_(moving) : diagnosis::Predictions{}, report);

@@ -12,6 +12,7 @@
 #include "monitor/decision.hpp"
 #include "monitor/judge.hpp"
 #include "monitor/samples.hpp"
+#include "monitor/speed_watch.hpp"
 #include "monitor/stream_monitor.hpp"
 #include "monitor/window_cutter.hpp"
 #include "signal/resample.hpp"
@@ -19,8 +20,9 @@
 namespace piae::monitor {
 
 struct MonitorOptions {
-  double sample_rate_hz = 0;  ///< of the stream; 0: not given
-  double speed_rpm = 0;       ///< of the shaft; 0: not given
+  double sample_rate_hz = 0;        ///< of the stream; 0: not given
+  double speed_rpm = 0;             ///< of the shaft; 0: not given
+  double speed_search_percent = 0;  ///< see SpeedSearch
   SampleFormat format = SampleFormat::f32;
   std::size_t stride = 0;  ///< samples between the starts of two windows; 0: their length
   double every_s = 1;      ///< seconds of the stream between two decisions; 0: one for each window
@@ -28,6 +30,9 @@ struct MonitorOptions {
 };
 
 void bind(const cli::Options& command, MonitorOptions& options);
+
+/// Adds the options of a stream to a search; the given speed is `speed_rpm`.
+SpeedSearch search_of(const MonitorOptions& options, double speed_rpm, SpeedSearch search = {});
 
 /// Throws Error(usage) if rate or speed is not given.
 void require_given(const MonitorOptions& options);
@@ -37,9 +42,9 @@ void require_given(const MonitorOptions& options);
 class Monitor final : public StreamMonitor {
  public:
   /// Takes the classifier's `info` and `length` (samples in a window); `predict` returns its
-  /// predictions. `stream` is the name in messages.
+  /// predictions. `stream` is the name in messages. `search` has no speeds; these are options.
   Monitor(const signal::DatasetInfo& info, std::size_t length, Predict predict,
-          const MonitorOptions& options, const std::string& stream);
+          const MonitorOptions& options, const std::string& stream, SpeedSearch search = {});
 
   using Report = std::function<void(const Decision&)>;
 
@@ -73,7 +78,7 @@ class Monitor final : public StreamMonitor {
   signal::DatasetInfo info_;
   std::size_t length_;
   Predict predict_;
-  double speed_rpm_;
+  SpeedWatch speed_;
   SampleFeed feed_;
   signal::StreamResampler resampler_;
   WindowCutter cutter_;

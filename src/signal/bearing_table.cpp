@@ -113,22 +113,37 @@ std::vector<Row> rows_of(const fs::path& table) {
   return rows;
 }
 
-/// Returns BPFO and BPFI in Hz at one turn per second.
-std::array<double, 2> lines_of(const Keys& keys) {
-  if (keys.contains("bpfo")) return {keys.at("bpfo"), keys.at("bpfi")};
+/// True if the row has all keys of a geometry, or BPFO and BPFI.
+bool has_lines(const Row& row) {
+  const auto is_there = [&](const char* key) { return row.keys.contains(key); };
+  return std::ranges::all_of(geometry_keys, is_there) || (is_there("bpfo") && is_there("bpfi"));
+}
+
+BearingLines lines_of(const Row& row) {
+  const Keys& keys = row.keys;
+  BearingLines lines{.designation = row.designation};
+  if (keys.contains("bpfo")) {
+    lines.bpfo = keys.at("bpfo");
+    lines.bpfi = keys.at("bpfi");
+    if (keys.contains("bsf")) lines.twice_bsf = 2 * keys.at("bsf");
+    return lines;
+  }
   bearing::Geometry geometry;
   geometry.balls = static_cast<int>(keys.at("balls"));
   geometry.ball_diameter_mm = keys.at("ball_diameter_mm");
   geometry.pitch_diameter_mm = keys.at("pitch_diameter_mm");
   geometry.contact_angle_deg = keys.at("contact_angle_deg");
   const auto f = bearing::fault_frequencies(geometry, 60);
-  return {f.bpfo_hz, f.bpfi_hz};
+  lines.bpfo = f.bpfo_hz;
+  lines.bpfi = f.bpfi_hz;
+  lines.twice_bsf = 2 * f.bsf_hz;
+  return lines;
 }
 
 bool have_the_same_lines(const Row& a, const Row& b) {
-  const auto one = lines_of(a.keys);
-  const auto other = lines_of(b.keys);
-  return std::abs(one[0] / other[0] - 1) < 0.01 && std::abs(one[1] / other[1] - 1) < 0.01;
+  const BearingLines one = lines_of(a);
+  const BearingLines other = lines_of(b);
+  return std::abs(one.bpfo / other.bpfo - 1) < 0.01 && std::abs(one.bpfi / other.bpfi - 1) < 0.01;
 }
 
 std::string designations_of(const std::vector<Row>& rows) {
@@ -255,7 +270,8 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
                                       "groove bearing " +
                                           insert) +
                     "; give balls, ball_diameter_mm, pitch_diameter_mm and contact_angle_deg, or "
-                    "bpfo and bpfi, from a data sheet");
+                    "bpfo and bpfi, from a data sheet; or remove [bearing], and write defect = "
+                    "\"other\" for all faults");
   }
   for (const Row& row : found) {
     if (have_the_same_lines(row, found.front())) continue;
@@ -263,6 +279,15 @@ Keys bearing_called(const std::string& designation, const fs::path& table) {
                                      ", whose fault lines differ; name one of them");
   }
   return found.front().keys;
+}
+
+std::vector<BearingLines> lines_of_bearings(const fs::path& table) {
+  std::vector<BearingLines> lines;
+  if (!fs::exists(table)) return lines;
+  for (const Row& row : rows_of(table)) {
+    if (has_lines(row)) lines.push_back(lines_of(row));
+  }
+  return lines;
 }
 
 }  // namespace piae::signal

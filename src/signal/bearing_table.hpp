@@ -3,8 +3,10 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace piae::signal {
 
@@ -29,5 +31,18 @@ inline constexpr std::array order_keys{"bpfo", "bpfi", "bsf", "ftf"};
 /// matching rows differ by more than 1 % in BPFO or BPFI, or if the table is damaged.
 std::map<std::string, double> bearing_called(const std::string& designation,
                                              const std::filesystem::path& table);
+
+/// Fault lines of a known bearing, as multiples of the shaft's speed.
+struct BearingLines {
+  std::string designation;
+  double bpfo = 0;
+  double bpfi = 0;
+  std::optional<double> twice_bsf = {};  ///< empty if the table gives neither geometry nor BSF
+};
+
+/// Returns the lines of the rows of a table of bearings, in its order. Leaves out rows with neither
+/// a whole geometry nor BPFO and BPFI. Returns nothing without the table.
+/// Throws Error(bad_input) if the table is damaged.
+std::vector<BearingLines> lines_of_bearings(const std::filesystem::path& table);
 
 }  // namespace piae::signal

@@ -16,6 +16,7 @@
 #include "bearing/orders.hpp"
 #include "signal/bearing_table.hpp"
 #include "signal/described_conditions.hpp"
+#include "signal/described_file.hpp"
 #include "signal/described_split.hpp"
 #include "signal/description_file.hpp"
 #include "signal/meant_key.hpp"
@@ -153,34 +154,6 @@ Label label_of(const DatasetInfo& info, TomlTable& record) {
   return static_cast<Label>(found - info.classes.begin());
 }
 
-/// Refuses a file outside the data folder, because `make data` writes downloads there.
-void require_file_name(const TomlTable& record, const std::string& name) {
-  const fs::path path(name);
-  if (path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end()) {
-    record.refuse("file", "must be a path below the data folder");
-  }
-  if (path.filename().empty() || path.filename() == ".") {
-    record.refuse("file", "must end with the name of a file");
-  }
-  if (name.front() == '-') record.refuse("file", "must not begin with '-'");
-}
-
-std::vector<std::string> read_file_names(TomlTable& record) {
-  std::vector<std::string> names = record.text_or_texts("file");
-  for (const std::string& name : names) require_file_name(record, name);
-  return names;
-}
-
-/// Limits the length, because the name becomes an argument of the program that reads the file.
-std::string read_variable(TomlTable& record) {
-  constexpr std::size_t longest = 1000;
-  std::string variable = record.text("variable");
-  if (variable.size() > longest) {
-    record.refuse("variable", "must have at most " + std::to_string(longest) + " characters");
-  }
-  return variable;
-}
-
 /// Reads an address that `make data` may pass to a program: only http and https.
 std::string read_url(TomlTable& record, const std::vector<std::string>& files) {
   std::string url = record.optional_text("url");
@@ -219,10 +192,14 @@ RecordSource described_record(TomlTable& table, const DatasetInfo& info) {
   RecordSource record;
   record.label = label_of(info, table);
   record.files = read_file_names(table);
-  record.variable = read_variable(table);
+  record.variable = read_variable(table, "variable");
   record.sample_rate_hz = table.number("sample_rate_hz", ranges::described_rate_hz);
-  record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
-                               .value_or(info.shaft_speed_rpm);
+  record.speed = read_speed_source(table);
+  record.shaft_speed_rpm = info.shaft_speed_rpm;
+  if (!record.speed) {
+    record.shaft_speed_rpm = table.optional_number("shaft_speed_rpm", ranges::shaft_speed_rpm)
+                                 .value_or(info.shaft_speed_rpm);
+  }
   record.condition = table.has("condition") ? read_condition_name(table, "condition") : "";
   const ClassInfo& c = info.class_of(record.label);
   record.defect_size_mm = read_size(table, c.defect);
@@ -321,6 +298,10 @@ double common_rate(const TomlTable& root, const std::vector<RecordSource>& recor
 
 std::string RecordSource::file_text() const { return fmt::format("{}", fmt::join(files, ", ")); }
 
+std::optional<std::string> RecordSource::tacho_file() const {
+  return speed && !speed->file.empty() ? std::optional(speed->file) : std::nullopt;
+}
+
 void require_possible(const DatasetInfo& info, const TomlTable& root,
                       const std::vector<TomlTable>& classes) {
   try {
@@ -334,7 +315,8 @@ void require_possible(const DatasetInfo& info, const TomlTable& root,
     if (causes_impacts && !info.has_bearing) {
       root.refuse("bearing",
                   "is missing: it determines the impact rate of class " + c.name +
-                      "; for a fault outside raceways and balls write defect = \"other\"");
+                      "; for an unknown bearing, and for a fault outside raceways and balls, write "
+                      "defect = \"other\"");
     }
     refuse_size_without_dimensions(root, classes[i]);
     const bool is_of_unknown_size =
@@ -412,6 +394,7 @@ Description read_description(const fs::path& file) {
   name_records(description.info, description.records);
   std::ranges::sort(description.records, {}, &RecordSource::name);
   require_different_names(file, description.records);
+  description.bearing_table = bearing_table_of(file);
   return description;
 }
 
@@ -419,6 +402,7 @@ std::vector<std::string> recordings_of(const Description& description, const fs:
   std::vector<std::string> files;
   for (const RecordSource& source : description.records) {
     std::ranges::copy(files_of(source.files, folder), std::back_inserter(files));
+    if (source.tacho_file()) files.push_back(*source.tacho_file());
   }
   return files;
 }
@@ -434,6 +418,7 @@ std::string list_of_sources(const fs::path& description, const fs::path& folder)
     for (const std::string& name : names) {
       list += or_dash(sha256) + "  " + name + "  " + or_dash(source.url) + '\n';
     }
+    if (source.tacho_file()) list += "-  " + *source.tacho_file() + "  -\n";
   }
   return list;
 }

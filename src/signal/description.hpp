@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "signal/dataset_info.hpp"
+#include "signal/speed_source.hpp"
 #include "signal/toml_table.hpp"
 
 namespace piae::signal {
@@ -32,9 +33,14 @@ struct RecordSource {
   double offset = 0;  ///< the files' value at zero acceleration
   /// Time between the starts of two successive files, if they are snapshots of a longer run.
   std::optional<double> snapshot_interval_s = {};
+  /// Source of its speed over time. `shaft_speed_rpm` is then the data set's until the files are
+  /// read (measured_speed.hpp).
+  std::optional<SpeedSource> speed = {};
 
   /// Returns the names and patterns in one line.
   [[nodiscard]] std::string file_text() const;
+  /// Returns the file of tachometer pulses, if there is one.
+  [[nodiscard]] std::optional<std::string> tacho_file() const;
 };
 
 /// Settings of the stage split by their names, such as "windows-per-class".
@@ -59,7 +65,8 @@ using SplitSettings = std::map<std::string, std::size_t>;
 ///     file = "cwru/105.mat"       # or a list of files, or a pattern: "run/acc_*.csv"
 ///     variable = "X105_DE_time"
 ///     sample_rate_hz = 12000
-///     shaft_speed_rpm = 1797      # optional, default: the data set's
+///     shaft_speed_rpm = 1797      # optional, default: the data set's; or where its speed over
+///                                 # time is (speed_source.hpp)
 ///     condition = "0 HP"          # optional: the state of the machine, in any words
 ///     defect_size_mm = 0.1778     # optional, default: the class's, which may be
 ///                                 # missing if each record has its own
@@ -82,6 +89,8 @@ struct Description {
   /// 0: the given speeds count.
   double speed_search_percent = 0;
   std::vector<RecordSource> records;  ///< in alphabetical order of their names
+  /// Place of the table of bearings (bearing_table.hpp); it may be missing.
+  std::filesystem::path bearing_table = {};
 };
 
 /// Reads a description. Throws Error(bad_input) with the file, line and key for unknown or missing
@@ -90,7 +99,8 @@ struct Description {
 /// Error(input_missing) if the file is missing.
 Description read_description(const std::filesystem::path& file);
 
-/// Returns the existing files of all records, relative to `folder`.
+/// Returns the existing files of all records, and their files of tachometer pulses, relative to
+/// `folder`.
 std::vector<std::string> recordings_of(const Description& description,
                                        const std::filesystem::path& folder);
 

@@ -120,8 +120,7 @@ void complete_bearing(const fs::path& file, toml::table& description) {
     }
   }
   try {
-    const fs::path table = (file.parent_path() / ".." / "bearings.csv").lexically_normal();
-    for (const auto& [key, value] : bearing_called(*designation, table)) {
+    for (const auto& [key, value] : bearing_called(*designation, bearing_table_of(file))) {
       if (key == "balls") {
         bearing->insert(key, static_cast<std::int64_t>(value));
       } else {
@@ -140,6 +139,10 @@ toml::table read_description_file(const fs::path& file) {
   toml::table description = read_after({}, file);
   complete_bearing(file, description);
   return description;
+}
+
+fs::path bearing_table_of(const fs::path& description) {
+  return (description.parent_path() / ".." / "bearings.csv").lexically_normal();
 }
 
 }  // namespace piae::signal

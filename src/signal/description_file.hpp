@@ -22,4 +22,7 @@ namespace piae::signal {
 /// `like` and without its own name; Error(input_missing) if a file is missing.
 toml::table read_description_file(const std::filesystem::path& file);
 
+/// Returns the place of the table of bearings for a description; the table may be missing.
+std::filesystem::path bearing_table_of(const std::filesystem::path& description);
+
 }  // namespace piae::signal

@@ -18,18 +18,30 @@ std::span<const double> longest_piece(std::span<const double> signal,
   return longest;
 }
 
+bool reads_for_speed(const Description& description, const RecordSource& source) {
+  return description.speed_search_percent > 0 || source.speed.has_value();
+}
+
 EstimatedSpeeds use_speeds_of_signals(Description& description,
                                       const std::filesystem::path& data_dir,
                                       const std::function<void()>& record_done) {
   EstimatedSpeeds speeds;
-  if (description.speed_search_percent == 0) return speeds;
+  const auto reads = [&](const RecordSource& source) {
+    return reads_for_speed(description, source);
+  };
+  if (std::ranges::none_of(description.records, reads)) return speeds;
   RecordReader reader(description, data_dir);
   for (RecordSource& source : description.records) {
+    if (!reads(source)) continue;
     const Record record = reader.read(source);
+    record_done();
+    if (record.speeds) {
+      source.shaft_speed_rpm = record.shaft_speed_rpm;
+      continue;
+    }
     const auto shaft =
         spectra::estimate_shaft_speed(longest_piece(record.signal, record.piece_lengths()),
                                       description.info.sample_rate_hz, source.shaft_speed_rpm);
-    record_done();
     const bool shows =
         shaft && shaft->is_within(description.speed_search_percent, source.shaft_speed_rpm);
     if (!shows) continue;

@@ -20,10 +20,14 @@ struct EstimatedSpeeds {
   double highest = 1;
 };
 
-/// Replaces the speed of each record by the one that its signal shows (spectra/shaft_speed.hpp),
-/// within speed_search_percent of the given one; keeps the given one where the shaft hardly shows.
-/// The speed of a condition becomes the mean of its records. Does not read anything if
-/// speed_search_percent is 0. Throws as RecordReader does.
+/// True if use_speeds_of_signals() reads the record.
+bool reads_for_speed(const Description& description, const RecordSource& source);
+
+/// Replaces the speed of each record by the mean of its speed over time, if that was recorded
+/// (measured_speed.hpp), or else by the one that its signal shows (spectra/shaft_speed.hpp), within
+/// speed_search_percent of the given one; keeps the given one where the shaft hardly shows, and if
+/// speed_search_percent is 0. The speed of a condition becomes the mean of its records. Throws as
+/// RecordReader does.
 EstimatedSpeeds use_speeds_of_signals(Description& description,
                                       const std::filesystem::path& data_dir,
                                       const std::function<void()>& record_done);

@@ -11,6 +11,7 @@
 #include "base/sha256.hpp"
 #include "raw/file.hpp"
 #include "raw/limits.hpp"
+#include "signal/measured_speed.hpp"
 #include "signal/record_files.hpp"
 #include "signal/resample.hpp"
 
@@ -161,7 +162,20 @@ Record RecordReader::resampled(const RecordSource& source, RawRecord raw) const 
     resample_pieces(source, raw, record);
   }
   scale(record.signal, source, info_.unit_m_per_s2);
+  if (source.speed) add_speeds(*source.speed, record);
   return record;
+}
+
+void RecordReader::add_speeds(const SpeedSource& source, Record& record) const {
+  RecordTimes times{.name = record.name, .sample_s = 1 / info_.sample_rate_hz};
+  for (const SourceFile& file : record.files) times.files.push_back(data_dir_ / file.name);
+  for (const std::size_t length : record.piece_lengths()) {
+    times.piece_s.push_back(static_cast<double>(length) / info_.sample_rate_hz);
+  }
+  record.speeds = read_speed(source, data_dir_, times);
+  record.shaft_speed_rpm = record.speed_rpm(0, record.signal.size(), info_.sample_rate_hz);
+  if (source.file.empty()) return;
+  record.files.push_back({.name = source.file, .sha256 = sha256_of_file(data_dir_ / source.file)});
 }
 
 void RecordReader::resample_pieces(const RecordSource& source, const RawRecord& raw,

@@ -30,7 +30,8 @@ class RecordReader {
   /// Error(bad_input), with the file and the record, for
   ///   - a file that cannot be read (raw/file.hpp), or whose sha256 is not the declared one,
   ///   - a signal that is empty, has a NaN or infinite sample (with its index), or never changes,
-  ///   - the same samples as an earlier record, under any label.
+  ///   - the same samples as an earlier record, under any label,
+  ///   - a speed over time that cannot be used (measured_speed.hpp).
   Record read(const RecordSource& source) { return resampled(source, read_raw(source)); }
 
   /// The two halves of read(), so that callers can examine the samples before resampling.
@@ -43,6 +44,7 @@ class RecordReader {
   [[nodiscard]] std::vector<std::string> require_files(const RecordSource& source) const;
   void require_new(const RecordSource& source, std::span<const double> signal);
   void resample_pieces(const RecordSource& source, const RawRecord& raw, Record& record) const;
+  void add_speeds(const SpeedSource& source, Record& record) const;
 
   DatasetInfo info_;
   std::filesystem::path data_dir_;

@@ -13,6 +13,10 @@ inline constexpr Range sample_rate_hz{.low = 1, .high = 1e7, .unit = " Hz"};
 /// Sample rate in a description. `ingest --check` warns of a rate in kHz or with three extra zeros.
 inline constexpr Range described_rate_hz{.low = 1e-3, .high = 1e10, .unit = " Hz"};
 inline constexpr Range shaft_speed_rpm{.low = 1e-2, .high = 1e6, .unit = " rpm"};
+/// Pulses of a tachometer, or of an encoder.
+inline constexpr Range pulses_per_turn{.low = 1e-2, .high = 1e5};
+/// Length of the blocks of a speed over time: 20 ms, or a sample.
+inline constexpr Range speed_block_s{.low = 0.02, .high = 1, .unit = " s"};
 /// Range about a given speed in which it is taken from the signal (spectra/shaft_speed.hpp).
 inline constexpr Range speed_search_percent{.low = 0, .high = 10, .unit = " %"};
 /// Time between the starts of two snapshots: up to a year.

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/sha256.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 const std::string records_group = "/records";
 const std::string pieces_group = "/pieces";
+const std::string speeds_group = "/speeds";
 
 void write_record(artefact::Writer& writer, const Record& record, const DatasetInfo& info) {
   if (!ranges::is_plain_name(record.name)) {
@@ -58,6 +60,22 @@ std::vector<std::size_t> read_pieces(const artefact::Reader& reader, const std::
   return pieces;
 }
 
+/// Reads the speed of a record over its time; nothing if it was not recorded.
+std::optional<SpeedCourse> read_speeds(const artefact::Reader& reader, const std::string& name,
+                                       double duration_s) {
+  const std::string path = speeds_group + "/" + name;
+  if (!reader.has(speeds_group) || !reader.has(path)) return std::nullopt;
+  SpeedCourse speeds{.block_s = reader.real(path, "block_s", ranges::speed_block_s),
+                     .rpm = reader.numbers<double>(path, {0}).values};
+  reader.require_all(path, speeds.rpm, ranges::shaft_speed_rpm);
+  const double blocks = duration_s / speeds.block_s;
+  if (speeds.rpm.empty() || std::abs(static_cast<double>(speeds.rpm.size()) - blocks) > 1) {
+    reader.refuse(path, fmt::format("holds {} blocks of {:g} s, but the record lasts {:g} s",
+                                    speeds.rpm.size(), speeds.block_s, duration_s));
+  }
+  return speeds;
+}
+
 std::int32_t read_condition(const artefact::Reader& reader, const std::string& path,
                             const DatasetInfo& info) {
   if (!reader.has_attribute(path, "condition")) return every_condition;
@@ -80,6 +98,8 @@ Record read_record(const artefact::Reader& reader, const std::string& name,
   if (record.signal.empty()) reader.refuse(path, "holds no sample");
   reader.require_all(path, record.signal, ranges::acceleration);
   record.pieces = read_pieces(reader, name, record.signal.size());
+  record.speeds =
+      read_speeds(reader, name, static_cast<double>(record.signal.size()) / info.sample_rate_hz);
   const std::int64_t label = reader.integer(path, "label");
   if (label < 0 || label >= static_cast<std::int64_t>(classes)) {
     reader.refuse(path, "has label " + std::to_string(label) + ", but there are " +
@@ -133,12 +153,23 @@ std::vector<std::size_t> Record::piece_lengths() const {
   return pieces.empty() ? std::vector{signal.size()} : pieces;
 }
 
+double Record::speed_rpm(std::size_t first, std::size_t count, double rate_hz) const {
+  return speeds ? speeds->mean_rpm(first, count, rate_hz) : shaft_speed_rpm;
+}
+
 bool Recordings::have_parameters() const {
   return std::ranges::all_of(records, [](const Record& r) { return r.parameters.has_value(); });
 }
 
 bool Recordings::have_sizes() const {
   return std::ranges::any_of(records, [](const Record& r) { return r.defect_size_mm.has_value(); });
+}
+
+bool Recordings::have_speeds() const {
+  constexpr double equal_within = 0.01;  // more than the speeds of simulated records scatter
+  return std::ranges::any_of(records, [&](const Record& r) {
+    return r.speeds || std::abs(r.shaft_speed_rpm / info.shaft_speed_rpm - 1) > equal_within;
+  });
 }
 
 std::size_t Recordings::samples() const {
@@ -157,14 +188,20 @@ void RecordingsWriter::add(const Record& record) {
   write_record(writer_, record, info_);
   samples_ += record.signal.size();
   if (record.pieces.size() > 1) pieces_.emplace_back(record.name, record.pieces);
+  if (record.speeds) speeds_.emplace_back(record.name, *record.speeds);
 }
 
 void RecordingsWriter::finish() {
-  if (pieces_.empty()) return;
-  writer_.group(pieces_group);
+  if (!pieces_.empty()) writer_.group(pieces_group);
   for (const auto& [name, pieces] : pieces_) {
     const std::vector<std::int64_t> lengths(pieces.begin(), pieces.end());
     writer_.numbers(fmt::format("{}/{}", pieces_group, name), lengths);
+  }
+  if (!speeds_.empty()) writer_.group(speeds_group);
+  for (const auto& [name, speeds] : speeds_) {
+    const std::string path = fmt::format("{}/{}", speeds_group, name);
+    writer_.numbers(path, speeds.rpm);
+    writer_.attribute(path, "block_s", speeds.block_s);
   }
 }
 

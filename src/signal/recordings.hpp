@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signal/dataset_info.hpp"
+#include "signal/speed_course.hpp"
 
 namespace piae::signal {
 
@@ -44,15 +45,21 @@ struct Record {
   std::vector<std::size_t> pieces = {};
   /// Time between the starts of two successive pieces, if they are snapshots of a longer run.
   std::optional<double> snapshot_interval_s = {};
+  /// Speed over time, if it was recorded; `shaft_speed_rpm` is then its mean.
+  std::optional<SpeedCourse> speeds = {};
   std::vector<SourceFile> files = {};  ///< not stored here: provenance names them
 
   /// Returns the lengths of the pieces; the signal's for a signal in one piece.
   [[nodiscard]] std::vector<std::size_t> piece_lengths() const;
+  /// Returns the mean speed over `count` samples from `first` on, at the data set's rate.
+  [[nodiscard]] double speed_rpm(std::size_t first, std::size_t count, double rate_hz) const;
 };
 
 /// The content of records.h5 (kind "records"). Each record is an HDF5 dataset /records/<name>. Its
 /// attributes are label, rates, source and, if known, condition, own size, interval of snapshots
 /// and true parameters. /pieces/<name> holds the lengths of the pieces if there are several.
+/// /speeds/<name> float64 [blocks] in rpm, with the attribute block_s, holds the speed over time if
+/// it was recorded.
 struct Recordings {
   DatasetInfo info;
   std::vector<Record> records;  ///< in alphabetical order of their names
@@ -60,6 +67,9 @@ struct Recordings {
   /// True if all records have true parameters; true if any record has its own size.
   [[nodiscard]] bool have_parameters() const;
   [[nodiscard]] bool have_sizes() const;
+  /// True if the speed of a record was recorded over its time, or differs from the data set's by
+  /// more than 1 %.
+  [[nodiscard]] bool have_speeds() const;
   /// Returns the samples of all records together.
   [[nodiscard]] std::size_t samples() const;
 };
@@ -71,7 +81,7 @@ class RecordingsWriter {
   /// it.
   RecordingsWriter(artefact::Writer& writer, const DatasetInfo& info);
   void add(const Record& record);
-  /// Writes /pieces, after the last record.
+  /// Writes /pieces and /speeds, after the last record.
   void finish();
 
   /// Returns the samples of all records so far.
@@ -82,6 +92,7 @@ class RecordingsWriter {
   const DatasetInfo& info_;
   std::size_t samples_ = 0;
   std::vector<std::pair<std::string, std::vector<std::size_t>>> pieces_;  ///< of several, by name
+  std::vector<std::pair<std::string, SpeedCourse>> speeds_;               ///< by name
 };
 
 void write(artefact::Writer& writer, const Recordings& recordings);

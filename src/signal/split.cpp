@@ -122,9 +122,13 @@ void cut(WindowSet& set, const Recordings& recordings, const Place& place) {
   set.record.push_back(static_cast<std::int32_t>(place.record));
   set.first_sample.push_back(static_cast<std::int64_t>(place.first_sample));
   if (recordings.have_parameters()) set.parameters.push_back(*record.parameters);
-  if (set.info.conditions.empty()) return;
+  const bool has_conditions = !set.info.conditions.empty();
+  if (has_conditions || recordings.have_speeds()) {
+    set.shaft_speed_rpm.push_back(
+        record.speed_rpm(place.first_sample, set.length, set.info.sample_rate_hz));
+  }
+  if (!has_conditions) return;
   set.condition.push_back(record.condition);
-  set.shaft_speed_rpm.push_back(record.shaft_speed_rpm);
   if (recordings.have_sizes()) {
     set.defect_size_mm.push_back(
         record.defect_size_mm.value_or(set.info.class_of(record.label).defect_size_mm));

@@ -78,7 +78,8 @@ struct Split {
 /// If the data set distinguishes conditions, each is split separately, with its share of the
 /// windows (sources.hpp): A and D come only from tested conditions, C from known ones, B from those
 /// for healthy windows. Random numbers come from the stream "<dataset>/seed<k>/split/<class>".
-/// Windows keep the unit of the recording, and the true (k, c) if all records have them. Throws as
+/// Windows keep the unit of the recording, and the true (k, c) if all records have them. With
+/// conditions, or if Recordings::have_speeds(), each has the mean speed of its own time. Throws as
 /// require_sensible(), and Error(bad_input) if the records of a class are too short; the message
 /// names the class and how many windows fit.
 Split split(const Recordings& recordings, const SplitOptions& options);

@@ -26,7 +26,8 @@ struct WindowSet {
   /// [n] (k, c) of each simulated window, or window generated from them; else empty.
   std::vector<DynamicParameters> parameters;
   /// [n] condition of each window, an index into info.conditions or every_condition, and shaft
-  /// speed. Empty if the data set distinguishes no conditions or the generator does not know them.
+  /// speed. Empty if the data set distinguishes no conditions or the generator does not know them;
+  /// the speeds of recorded windows only if Recordings::have_speeds() is false, too.
   std::vector<std::int32_t> condition;
   std::vector<double> shaft_speed_rpm;
   /// [n] defect size of each window, if the records of a class differ in size; else empty.

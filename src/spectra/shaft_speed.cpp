@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <vector>
 
-#include "spectra/fft.hpp"
 #include "spectra/floors.hpp"
 #include "spectra/lengths.hpp"
 #include "spectra/power.hpp"
+#include "spectra/whole_band_envelope.hpp"
 
 namespace piae::spectra {
 
@@ -86,18 +85,6 @@ ArrayXd standardised(const ArrayXd& values) {
 }
 
 ArrayXd power_of(const Eigen::RowVectorXd& signal) { return mean_power_spectrum(Windows(signal)); }
-
-/// Returns the squared envelope of the whitened signal.
-Eigen::RowVectorXd whole_band_envelope(const Eigen::RowVectorXd& signal, double rate_hz) {
-  const Eigen::ArrayXcd whitened = whitened_spectrum(signal, rate_hz);
-  std::vector<std::complex<double>> spectrum(static_cast<std::size_t>(signal.size()));
-  std::vector<std::complex<double>> analytic(spectrum.size());
-  Eigen::Map<Eigen::ArrayXcd>(spectrum.data(), whitened.size()) = 2 * whitened;
-  spectrum.front() = 0;
-  inverse_fft(std::span<const std::complex<double>>(spectrum),
-              std::span<std::complex<double>>(analytic));
-  return Eigen::Map<const Eigen::RowVectorXcd>(analytic.data(), signal.size()).cwiseAbs2();
-}
 
 /// Returns the best speed and its distance from the best of the others.
 ShaftSpeed best_of(const ArrayXd& speeds_hz, const ArrayXd& sum) {

@@ -30,7 +30,7 @@ inline constexpr double speed_search_percent = 10;
 /// decides. For each speed f of the search
 ///
 ///     a(f) = mean of L of the signal at f, 2 f, ..., 20 f
-///     b(f) = mean of L of the squared envelope of the whitened signal (floors.hpp) at f ... 8 f,
+///     b(f) = mean of L of the whole band's envelope (whole_band_envelope.hpp) at f ... 8 f,
 ///
 /// each without the multiples of that prime which leave the least: impacts at an order of 3.6 make
 /// lines at 4 f, 8 f, ... of a speed that is 10 % lower. The estimate maximises the sum of both,

@@ -64,7 +64,9 @@ bool is_same_speed(double speed_rpm, double other_rpm) {
   return std::abs(speed_rpm - other_rpm) <= equal_speeds * other_rpm;
 }
 
-Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures) {
+Baselines::Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures,
+                     double prewhitening)
+    : prewhitening_(prewhitening) {
   const Label healthy = windows.info.healthy_label();
   if (windows.count_of(healthy) < fewest_healthy) {
     throw Error(Exit::bad_input,
@@ -141,11 +143,16 @@ void Baselines::write(artefact::Writer& writer, const std::string& group) const 
   writer.numbers(group + "/lines", lines, {n, number_of_fault_types});
   writer.numbers(group + "/shape_db", shapes, {n, shapes.size() / n});
   writer.numbers(group + "/levels_db", levels, {n, levels.size() / n});
+  if (prewhitening_ > 0) writer.attribute(group, prewhitening_name, prewhitening_);
 }
 
 Baselines Baselines::read(const artefact::Reader& reader, const std::string& group,
                           double rate_hz) {
   Baselines read;
+  // Classifiers kept before this attribute existed did not prewhiten.
+  if (reader.has_attribute(group, prewhitening_name)) {
+    read.prewhitening_ = reader.real(group, prewhitening_name, possible_prewhitening);
+  }
   read.speeds_rpm_ = reader.numbers<double>(group + "/speed_rpm", {0}).values;
   reader.require_all(group + "/speed_rpm", read.speeds_rpm_, signal::ranges::shaft_speed_rpm);
   const std::size_t n = read.speeds_rpm_.size();

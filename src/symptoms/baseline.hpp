@@ -41,6 +41,9 @@ class Baseline {
   Eigen::ArrayXd change_db_;
 };
 
+/// Attribute of a group with baselines.
+inline constexpr const char* prewhitening_name = "prewhitening";
+
 /// Least number of healthy windows for a comparison.
 inline constexpr std::size_t fewest_healthy = 8;
 
@@ -51,9 +54,14 @@ bool is_same_speed(double speed_rpm, double other_rpm);
 /// eight have it, with those of the nearest speed that eight or more have, else with all of them.
 class Baselines {
  public:
-  /// Takes the healthy windows of a set, which may hold others; `measures` are of all its windows.
-  /// Throws Error(bad_input) for fewer than eight healthy windows.
-  Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures);
+  /// Takes the healthy windows of a set, which may hold others; `measures` are of all its windows,
+  /// measured with this `prewhitening`. Throws Error(bad_input) for fewer than eight healthy
+  /// windows.
+  Baselines(const signal::WindowSet& windows, const std::vector<Measures>& measures,
+            double prewhitening = 0);
+
+  /// Returns the prewhitening with which windows must be measured to be compared.
+  [[nodiscard]] double prewhitening() const { return prewhitening_; }
 
   /// Returns the baseline of a speed.
   const Baseline& at(double speed_rpm);
@@ -62,7 +70,7 @@ class Baselines {
   double left_out(std::size_t window);
 
   /// Writes the healthy windows in order of time below a group: /speed_rpm [n], /lines [n, 3],
-  /// /shape_db [n, 48] and /levels_db [n, bands].
+  /// /shape_db [n, 48] and /levels_db [n, bands]; the attribute prewhitening unless it is 0.
   void write(artefact::Writer& writer, const std::string& group) const;
   /// Reads the baselines of windows at this sample rate. Throws artefact::Refusal for impossible
   /// shapes or speeds, and for fewer than eight windows.
@@ -75,6 +83,7 @@ class Baselines {
   [[nodiscard]] Indices nearest(double speed_rpm) const;
   const Baseline& of(const Indices& healthy, double speed_rpm);
 
+  double prewhitening_ = 0;
   // Healthy windows in order of time:
   std::vector<double> speeds_rpm_;
   std::vector<Measures> measures_;

@@ -57,7 +57,8 @@ FeatureMeter::FeatureMeter(double rate_hz, std::size_t length, const std::option
   if (lines_) bank_ = spectra::filter_bank(rate_hz, static_cast<Eigen::Index>(length));
 }
 
-Features FeatureMeter::measure(std::span<const float> samples) const {
+Features FeatureMeter::measure(std::span<const float> samples,
+                               std::optional<double> speed_rpm) const {
   const Eigen::RowVectorXd window = Eigen::Map<const Eigen::RowVectorXf>(
                                         samples.data(), static_cast<Eigen::Index>(samples.size()))
                                         .cast<double>();
@@ -68,13 +69,17 @@ Features FeatureMeter::measure(std::span<const float> samples) const {
   features.watched_db.resize(static_cast<Eigen::Index>(names().size()));
   features.watched_db.head(octaves) = octave_levels_db(window);
   features.watched_db[octaves] = 20 * std::log10(moving.array().abs().maxCoeff());
-  if (lines_) features.watched_db.tail(lines_->orders.size()) = line_heights_db(window);
+  if (lines_) {
+    features.watched_db.tail(lines_->orders.size()) =
+        line_heights_db(window, speed_rpm.value_or(lines_->speed_rpm));
+  }
   return features;
 }
 
-Eigen::ArrayXd FeatureMeter::line_heights_db(const Eigen::RowVectorXd& window) const {
+Eigen::ArrayXd FeatureMeter::line_heights_db(const Eigen::RowVectorXd& window,
+                                             double speed_rpm) const {
   const spectra::OrderSpectrum spectrum =
-      spectra::order_spectrum(window, bank_, lines_->speed_rpm / 60, last_order_of(lines_->orders));
+      spectra::order_spectrum(window, bank_, speed_rpm / 60, last_order_of(lines_->orders));
   Eigen::ArrayXd heights_db(lines_->orders.size());
   std::ranges::transform(lines_->orders, heights_db.begin(), [&](double order) {
     return 10 * spectra::common_slip_height(spectrum, order, symptoms::most_harmonics, lowest_line);

@@ -43,9 +43,10 @@ class FeatureMeter {
  public:
   FeatureMeter(double rate_hz, std::size_t length, const std::optional<Lines>& lines);
 
-  /// Returns the measures of a window that is not constant. Throws Error(bad_input) for a window
-  /// of fewer than 256 samples.
-  [[nodiscard]] Features measure(std::span<const float> window) const;
+  /// Returns the measures of a window that is not constant, with lines at this speed, or else at
+  /// that of lines(). Throws Error(bad_input) for a window of fewer than 256 samples.
+  [[nodiscard]] Features measure(std::span<const float> window,
+                                 std::optional<double> speed_rpm = std::nullopt) const;
 
   [[nodiscard]] double rate_hz() const { return rate_hz_; }
   [[nodiscard]] std::size_t length() const { return length_; }
@@ -55,7 +56,8 @@ class FeatureMeter {
   [[nodiscard]] std::vector<std::string> names() const;
 
  private:
-  [[nodiscard]] Eigen::ArrayXd line_heights_db(const Eigen::RowVectorXd& window) const;
+  [[nodiscard]] Eigen::ArrayXd line_heights_db(const Eigen::RowVectorXd& window,
+                                               double speed_rpm) const;
 
   double rate_hz_;
   std::size_t length_;

@@ -21,9 +21,8 @@ void Session::watch_record(const std::function<void(const std::string&)>& write)
     remember(point);
   };
   const FeatureMeter& meter = trend_.meter();
-  for_each_window(
-      record_, meter.rate_hz(), meter.length(),
-      [&](double start_s, std::span<const float> window) { trend_.add(start_s, window, report); });
+  for_each_window(record_, meter.rate_hz(), meter.length(),
+                  [&](const TimedWindow& window) { trend_.add(window, report); });
   trend_.finish(report);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/error.hpp"
@@ -14,15 +15,25 @@ namespace {
 
 constexpr double default_window_s = 1;
 
-/// Passes on the first window of a piece, or all of them.
-void cut(std::span<const double> piece, double start_s, double rate_hz, std::size_t length,
-         bool first_only, const std::function<void(double, std::span<const float>)>& take) {
-  for (std::size_t at = 0; at + length <= piece.size(); at += length) {
-    const auto samples = piece.subspan(at, length);
-    std::vector<float> window(length);
+/// A piece of a record.
+struct PieceOfRecord {
+  std::size_t first = 0;  ///< its first sample in the record
+  std::size_t samples = 0;
+  double start_s = 0;
+};
+
+/// Passes on the first window of a snapshot, or all of another piece.
+void cut(const signal::Record& record, const PieceOfRecord& piece, double rate_hz,
+         std::size_t length, const std::function<void(const TimedWindow&)>& take) {
+  std::vector<float> window(length);
+  for (std::size_t at = 0; at + length <= piece.samples; at += length) {
+    const auto samples = std::span(record.signal).subspan(piece.first + at, length);
     std::ranges::transform(samples, window.begin(), [](double x) { return static_cast<float>(x); });
-    take(start_s + static_cast<double>(at) / rate_hz, window);
-    if (first_only) return;
+    TimedWindow timed{.start_s = piece.start_s + static_cast<double>(at) / rate_hz,
+                      .samples = window};
+    if (record.speeds) timed.speed_rpm = record.speed_rpm(piece.first + at, length, rate_hz);
+    take(timed);
+    if (record.snapshot_interval_s) return;
   }
 }
 
@@ -56,14 +67,13 @@ std::size_t window_of(const signal::Record& record, double rate_hz, double windo
 }
 
 void for_each_window(const signal::Record& record, double rate_hz, std::size_t length,
-                     const std::function<void(double, std::span<const float>)>& take) {
-  std::span<const double> rest = record.signal;
-  double start_s = 0;
+                     const std::function<void(const TimedWindow&)>& take) {
+  PieceOfRecord piece;
   for (const std::size_t samples : record.piece_lengths()) {
-    const bool is_snapshot = record.snapshot_interval_s.has_value();
-    cut(rest.first(samples), start_s, rate_hz, length, is_snapshot, take);
-    start_s += is_snapshot ? *record.snapshot_interval_s : static_cast<double>(samples) / rate_hz;
-    rest = rest.subspan(samples);
+    piece.samples = samples;
+    cut(record, piece, rate_hz, length, take);
+    piece.start_s += record.snapshot_interval_s.value_or(static_cast<double>(samples) / rate_hz);
+    piece.first += samples;
   }
 }
 

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
 
 #include "signal/recordings.hpp"
+#include "trend/timed_window.hpp"
 
 namespace piae::trend {
 
@@ -19,9 +19,9 @@ const signal::Record& record_called(const signal::Recordings& recordings, const 
 /// whole record, is as long as a window.
 std::size_t window_of(const signal::Record& record, double rate_hz, double window_s);
 
-/// Passes the windows of a record on in order of time: start in s, samples. Snapshots that are
-/// shorter than a window are left out.
+/// Passes the windows of a record on in order of time, with their speeds if these were recorded.
+/// Snapshots that are shorter than a window are left out.
 void for_each_window(const signal::Record& record, double rate_hz, std::size_t length,
-                     const std::function<void(double, std::span<const float>)>& take);
+                     const std::function<void(const TimedWindow&)>& take);
 
 }  // namespace piae::trend

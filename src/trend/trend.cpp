@@ -32,39 +32,38 @@ Trend::Trend(Baseline baseline, const TrendOptions& options, double every_s)
   healthy_.emplace(std::move(baseline.windows), options_);
 }
 
-void Trend::add(double start_s, std::span<const float> window, const Report& report) {
-  const bool silent = signal::is_constant(window);
+void Trend::add(const TimedWindow& window, const Report& report) {
+  const bool silent = signal::is_constant(window.samples);
   ++windows_;
-  if (!healthy_ && start_s < healthy_s_) {
-    learn(start_s + meter_.window_s(), window, silent);
+  if (!healthy_ && window.start_s < healthy_s_) {
+    learn(window, silent);
   } else {
     if (!healthy_) healthy_.emplace(std::move(learned_), options_);
-    judge(start_s, window, silent, report);
+    judge(window, silent, report);
   }
-  last_start_s_ = start_s;
-  last_end_s_ = start_s + meter_.window_s();
+  last_start_s_ = window.start_s;
+  last_end_s_ = window.start_s + meter_.window_s();
   started_ = true;
 }
 
-void Trend::learn(double end_s, std::span<const float> window, bool silent) {
+void Trend::learn(const TimedWindow& window, bool silent) {
   if (silent) return;
-  learned_.push_back(meter_.measure(window));
-  learned_s_.push_back(end_s);
+  learned_.push_back(meter_.measure(window.samples, window.speed_rpm));
+  learned_s_.push_back(window.start_s + meter_.window_s());
 }
 
-void Trend::judge(double start_s, std::span<const float> window, bool silent,
-                  const Report& report) {
-  const double passed_s = started_ ? start_s - last_start_s_ : meter_.window_s();
+void Trend::judge(const TimedWindow& window, bool silent, const Report& report) {
+  const double passed_s = started_ ? window.start_s - last_start_s_ : meter_.window_s();
   ++since_;
   double excess_db = without_signal_db;
   if (silent) {
     remember_cause(causes_.size() - 1, excess_db);
   } else {
-    excess_db = exceed(meter_.measure(window));
+    excess_db = exceed(meter_.measure(window.samples, window.speed_rpm));
   }
   const AlarmState alarm = alarm_.add(excess_db, passed_s / seconds_per_hour);
   alarms_ += alarm == AlarmState::raised ? 1 : 0;
-  const double end_s = start_s + meter_.window_s();
+  const double end_s = window.start_s + meter_.window_s();
   const bool changed = alarm == AlarmState::raised || alarm == AlarmState::cleared;
   if (changed || end_s >= next_s_) tell(end_s, report);
   if (alarm_.evidence() <= 0) causes_.setZero();

@@ -3,13 +3,13 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "trend/features.hpp"
 #include "trend/healthy.hpp"
 #include "trend/options.hpp"
+#include "trend/timed_window.hpp"
 #include "trend/trend_alarm.hpp"
 #include "trend/trend_point.hpp"
 
@@ -28,10 +28,10 @@ class Trend {
 
   using Report = std::function<void(const TrendPoint&)>;
 
-  /// Adds the next window, by its start. A constant window after the healthy hours (a dead sensor)
+  /// Adds the next window. A constant window after the healthy hours (a dead sensor)
   /// counts as faulty; in these hours it is left out. Throws Error(bad_input) if the healthy hours
   /// end with too few windows.
-  void add(double start_s, std::span<const float> window, const Report& report);
+  void add(const TimedWindow& window, const Report& report);
   /// Reports the windows since the last point, at the end. Makes the baseline if the healthy hours
   /// end here.
   void finish(const Report& report);
@@ -49,8 +49,8 @@ class Trend {
   [[nodiscard]] std::size_t alarms() const { return alarms_; }
 
  private:
-  void learn(double end_s, std::span<const float> window, bool silent);
-  void judge(double start_s, std::span<const float> window, bool silent, const Report& report);
+  void learn(const TimedWindow& window, bool silent);
+  void judge(const TimedWindow& window, bool silent, const Report& report);
   /// Adds a window's rises to the next point. Returns the excess of the feature that exceeds its
   /// limit most.
   double exceed(const Features& features);

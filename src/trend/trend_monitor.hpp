@@ -5,6 +5,7 @@
 #include <string>
 
 #include "monitor/sample_feed.hpp"
+#include "monitor/speed_watch.hpp"
 #include "monitor/stream_monitor.hpp"
 #include "monitor/window_cutter.hpp"
 #include "trend/trend.hpp"
@@ -15,9 +16,9 @@ namespace piae::trend {
 class TrendMonitor final : public monitor::StreamMonitor {
  public:
   /// Keeps a reference to the trend. `stream` is the name in messages; `report` receives each
-  /// point, in addition to the lines of JSON.
+  /// point, in addition to the lines of JSON. Lines lie at the speed that `search` finds.
   TrendMonitor(Trend& trend, monitor::SampleFormat format, const std::string& stream,
-               Trend::Report report);
+               Trend::Report report, monitor::SpeedSearch search);
 
   void take(std::span<const std::byte> bytes, const WriteLine& write) override;
   void skip() override;
@@ -37,6 +38,7 @@ class TrendMonitor final : public monitor::StreamMonitor {
   monitor::SampleFeed feed_;
   monitor::WindowCutter cutter_;
   Trend::Report report_;
+  monitor::SpeedWatch speed_;
   double started_at_s_ = 0;  ///< stream time of the cutter's sample 0
 };
 

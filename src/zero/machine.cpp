@@ -111,10 +111,8 @@ signal::WindowSet make_windows(const Machine& machine, std::size_t count, const 
   const auto make_one = [&](Label label, std::size_t index, Stream& random) {
     const Scene scene = machine.draw_scene(label, index, random);
     signal::MadeWindow made = make(scene, random);
-    if (!machine.info().conditions.empty()) {
-      made.condition = scene.condition;
-      made.shaft_speed_rpm = scene.shaft_speed_rpm;
-    }
+    if (!machine.info().conditions.empty()) made.condition = scene.condition;
+    if (machine.has_speeds()) made.shaft_speed_rpm = scene.shaft_speed_rpm;
     return made;
   };
   return signal::make_windows(machine.info(), machine.length(), count, stream, make_one);

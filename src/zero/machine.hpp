@@ -41,6 +41,8 @@ class Machine {
 
   [[nodiscard]] const signal::DatasetInfo& info() const { return healthy_.info; }
   [[nodiscard]] std::size_t length() const { return healthy_.length; }
+  /// True if each healthy window has a speed of its own.
+  [[nodiscard]] bool has_speeds() const { return !healthy_.shaft_speed_rpm.empty(); }
 
  private:
   /// Healthy windows that share a spectrum.
@@ -65,7 +67,8 @@ class Machine {
 using Make = std::function<signal::MadeWindow(const Scene& scene, const Stream& random)>;
 
 /// Makes `count` windows of each class with a defect, like signal::make_windows. If the data set
-/// has conditions, each window has the tested condition and the shaft speed of its healthy window.
+/// has conditions, each window has the tested condition; if healthy windows have speeds, that of
+/// its healthy window.
 signal::WindowSet make_windows(const Machine& machine, std::size_t count, const Stream& stream,
                                const Make& make);
 

@@ -68,16 +68,14 @@ diagnosis::KeptClassifier kept(const std::string& name) {
   const signal::WindowSet normal = noise_windows(500, 0);
   const signal::WindowSet known = noise_windows(0, 5);
   const signal::WindowSet training = diagnosis::compose_training_set(normal, known, nullptr, 0);
-  const diagnosis::WdcnnOptions options{.epochs = 1};
   const Stream stream("bench");
-  const diagnosis::MakeWdcnnBackend backend = diagnosis::make_one_core_backend;
-  diagnosis::Learned learned =
-      diagnosis::learn(classifier, normal, training, options, stream, backend);
-  return diagnosis::keep(
-      classifier, std::move(learned.trained), training,
-      {.normal = normal, .known = known, .generated = nullptr},
-      {.options = options, .stream = stream, .make_backend = backend, .epoch_done = {}},
-      {.method = "none", .ratio = "100to1", .training_digest = ""});
+  const diagnosis::LearningSettings settings{.wdcnn = {.epochs = 1},
+                                             .make_backend = diagnosis::make_one_core_backend};
+  diagnosis::Learned learned = diagnosis::learn(classifier, normal, training, settings, stream);
+  return diagnosis::keep(classifier, std::move(learned.trained), training,
+                         {.normal = normal, .known = known, .generated = nullptr},
+                         {.settings = settings, .stream = stream, .epoch_done = {}},
+                         {.method = "none", .ratio = "100to1", .training_digest = ""});
 }
 
 /// Seconds to read a window from a file, measured before the classifiers.

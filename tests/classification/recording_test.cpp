@@ -110,6 +110,27 @@ TEST_F(LoneFiles, HaveTheSpeedOfTheirSignalIfItIsSearched) {
       Exit::bad_input, "was recorded at 1690 rpm");
 }
 
+/// Windows of 0.1 s at 12 kHz.
+TEST(DescribedRecord, HasTheRecordedSpeedInEachWindow) {
+  signal::Record record;
+  record.name = "IR-02";
+  record.label = 1;
+  record.shaft_speed_rpm = 1790;
+  record.signal = turning_shaft(1700, 36000, 12000);  // must not count
+  record.speeds = signal::SpeedCourse{.block_s = 1, .rpm = {1750, 1790, 1830}};
+  const signal::DatasetInfo trained = three_classes();
+  const Recording recording = recording_of(
+      record, three_classes("other"),
+      {.classifier = diagnosis::wdcnn, .trained = trained, .speed_search_percent = 10});
+  EXPECT_EQ(recording.shaft, std::nullopt);
+  EXPECT_EQ(recording.shaft_speed_rpm, 1790);
+  const signal::WindowSet windows = windows_of(recording, trained, 1200, 600);
+  ASSERT_EQ(windows.size(), 59U);
+  EXPECT_NEAR(windows.speed_rpm(0), 1750, 1e-9);
+  EXPECT_NEAR(windows.speed_rpm(19), 1770, 1e-9);  // half before the first second's end
+  EXPECT_NEAR(windows.speed_rpm(58), 1830, 1e-9);
+}
+
 TEST(DescribedRecord, HasTheDescribedClass) {
   signal::Record record;
   record.name = "IR-02";

@@ -63,7 +63,7 @@ TEST_F(AnyBearingOnAToy, IsKeptWithItsPrewhitening) {
 
 TEST_F(AnyBearingOnAToy, NeedsANetwork) {
   EXPECT_ERROR(
-      learn(any_bearing, normal_, normal_, {}, Stream("toy"), nullptr), Exit::usage,
+      learn(any_bearing, normal_, normal_, {}, Stream("toy")), Exit::usage,
       "--classifier any-bearing needs --network, such as results/reference/any-bearing.h5");
 }
 

@@ -67,6 +67,10 @@ TEST(ADiagnosis, RefusesOptionsThatItsClassifierDoesNotSupport) {
   inputs.generated = tones_of({1, 2}, 5, "generated");
   EXPECT_ERROR(Diagnosis(task_of("envelope-rule"), inputs, "C.h5"), Exit::usage,
                "--generated: envelope-rule is a rule");
+  Task task = task_of("nearest");
+  task.settings.prewhitening = 0.5;
+  EXPECT_ERROR(Diagnosis(task, inputs_of_tones(), "C.h5"), Exit::usage,
+               "--prewhitening: nearest does not learn from symptoms");
 }
 
 }  // namespace

@@ -45,16 +45,13 @@ class Keep : public testing::Test {
                                     const EpochDone& epoch_done = {}) const {
     const Classifier& classifier = the_classifier(name);
     const Stream stream("toy");
-    const MakeWdcnnBackend backend = make_one_core_backend;
+    const LearningSettings settings{.wdcnn = {.epochs = 2, .batch = 8, .learning_rate = 1e-3},
+                                    .make_backend = make_one_core_backend,
+                                    .network = &network_};
     const WindowSet set = training(per_class);
-    return keep(classifier,
-                learn(classifier, normal_, set, options_, stream, backend, {}, &network_).trained,
-                set, lessons(per_class),
-                {.options = options_,
-                 .stream = stream,
-                 .make_backend = backend,
-                 .epoch_done = epoch_done,
-                 .network = &network_},
+    return keep(classifier, learn(classifier, normal_, set, settings, stream).trained, set,
+                lessons(per_class),
+                {.settings = settings, .stream = stream, .epoch_done = epoch_done},
                 {.method = "none",
                  .ratio = "100to1",
                  .generated_per_class = per_class,
@@ -75,7 +72,6 @@ class Keep : public testing::Test {
 
   const Folder folder_;
   const artefact::Reader network_ = taught_network(folder_);
-  const WdcnnOptions options_{.epochs = 2, .batch = 8, .learning_rate = 1e-3};
   WindowSet normal_ = no_impact_windows();
   WindowSet known_ = no_impact_windows();
   WindowSet generated_ = no_impact_windows();

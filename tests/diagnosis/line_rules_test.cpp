@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/stored.hpp"
 #include "support/errors.hpp"
 #include "support/impact_windows.hpp"
 
@@ -59,7 +60,7 @@ TEST(Evidence, IgnoresTypesWithoutAClass) {
 }
 
 Outputs judged_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test, Rule rule) {
-  return TrainedRule(normal, rule).outputs(test, "--test");
+  return TrainedRule(normal, rule, 0).outputs(test, "--test");
 }
 
 std::vector<Label> named_by_rule(const signal::WindowSet& normal, const signal::WindowSet& test,
@@ -105,6 +106,34 @@ TEST_F(Rules, IgnoreTheLevelOfAWindow) {
 /// Reduces the noise above a quarter of the sample rate: x[t] = n[t] + 0.5 n[t - 1].
 void make_duller(signal::WindowSet& set) {
   for (std::size_t i = set.samples.size() - 1; i > 0; --i) set.samples[i] += set.samples[i - 1] / 2;
+}
+
+// The evidence for a fault type is the excess of its line in prewhitened spectra.
+TEST_F(Rules, ComparePrewhitenedSpectra) {
+  const double prewhitening = 0.5;
+  symptoms::Baselines baselines(normal_, symptoms::measure(normal_, "", prewhitening));
+  const auto tested = symptoms::measure(test_, "", prewhitening);
+  TrainedRule rule(normal_, Rule::envelope, prewhitening);
+  const Outputs judged = rule.outputs(test_, "--test");
+  for (std::size_t i = 0; i < test_.size(); ++i) {
+    const auto excesses = baselines.at(test_.speed_rpm(i)).excesses(tested[i]);
+    EXPECT_FLOAT_EQ(judged.logits[3 * i + 1], static_cast<float>(excesses[0]));  // inner
+    EXPECT_FLOAT_EQ(judged.logits[3 * i + 2], static_cast<float>(excesses[2]));  // outer
+  }
+  EXPECT_NE(judged.logits, judged_by_rule(normal_, test_, Rule::envelope).logits);
+}
+
+TEST_F(Rules, StorePrewhiteningUnlessItIsZero) {
+  for (const double prewhitening : {0.0, 0.5}) {
+    TrainedRule before(normal_, Rule::exclusion, prewhitening);
+    artefact::Writer writer("classifier");
+    before.write(writer);
+    const Folder folder;
+    const artefact::Reader reader = stored(writer, folder);
+    EXPECT_EQ(reader.has_attribute(learned, symptoms::prewhitening_name), prewhitening > 0);
+    TrainedRule after(reader, normal_.info, Rule::exclusion);
+    EXPECT_EQ(after.outputs(test_, "--test").logits, before.outputs(test_, "--test").logits);
+  }
 }
 
 TEST_F(Rules, ExclusionDetectsAChangeWithoutALine) {

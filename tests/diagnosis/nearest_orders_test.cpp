@@ -51,7 +51,7 @@ scoring::Windows modulated_row(const signal::WindowSet& set, std::size_t i) {
 
 std::vector<Label> named_by_orders(const signal::WindowSet& training,
                                    const signal::WindowSet& test) {
-  return most_likely(learn_nearest_orders(training, training, Stream("unused"), {})
+  return most_likely(learn_nearest_orders(training, training, 0, Stream("unused"), {})
                          .trained->outputs(test, "--test")
                          .scores,
                      3);
@@ -129,7 +129,7 @@ TEST(NearestOrders, IsReadAsWritten) {
   const Folder folder;
   const signal::WindowSet training = modulated_at(1500, "training");
   const signal::WindowSet test = modulated_at(1700, "test");
-  const Learned made = learn_nearest_orders(training, training, Stream("unused"), {});
+  const Learned made = learn_nearest_orders(training, training, 0, Stream("unused"), {});
   artefact::Writer writer("classifier");
   made.trained->write(writer);
   const artefact::Reader reader = stored(writer, folder);

@@ -36,7 +36,7 @@ class PrototypesOfToys : public testing::Test {
   }
   [[nodiscard]] Learned trained(const std::string& stream = "toy",
                                 const EpochDone& epoch_done = {}) const {
-    return train_prototypes(training_, training_, Stream(stream), epoch_done);
+    return train_prototypes(training_, training_, 0, Stream(stream), epoch_done);
   }
   [[nodiscard]] Outputs outputs_of(const Learned& learned) const {
     return learned.trained->outputs(test_, "--test");
@@ -141,7 +141,7 @@ TEST_F(PrototypesOfToys, AClassOfOneWindowHasAPrototype) {
   signal::WindowSet few = no_impact_windows(toy_length);
   add_impact_windows(few, 0, 10, stream);
   for (const Label label : {1, 2}) add_impact_windows(few, label, 1, stream);
-  const Learned learned = train_prototypes(few, few, Stream("one"));
+  const Learned learned = train_prototypes(few, few, 0, Stream("one"));
   EXPECT_EQ(most_likely(learned.trained->outputs(few, "").scores, 3)[10], 1);
 }
 
@@ -149,11 +149,11 @@ TEST_F(PrototypesOfToys, UnusableWindowsAreRefused) {
   Stream stream("unusable");
   signal::WindowSet healthy = no_impact_windows(toy_length);
   add_impact_windows(healthy, 0, 10, stream);
-  EXPECT_ERROR(train_prototypes(healthy, healthy, Stream("a")), Exit::bad_input,
+  EXPECT_ERROR(train_prototypes(healthy, healthy, 0, Stream("a")), Exit::bad_input,
                "class 'IR' has no window");
   signal::WindowSet single = no_impact_windows(toy_length);
   for (const Label label : {0, 1, 2}) add_impact_windows(single, label, 1, stream);
-  EXPECT_ERROR(train_prototypes(single, single, Stream("a")), Exit::bad_input,
+  EXPECT_ERROR(train_prototypes(single, single, 0, Stream("a")), Exit::bad_input,
                "each class has one window");
   signal::WindowSet other_length = no_impact_windows(512);
   add_impact_windows(other_length, 1, 1, stream);

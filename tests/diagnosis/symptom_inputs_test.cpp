@@ -15,7 +15,7 @@ namespace {
 struct ScaledRows {
   ScaledRows(const signal::WindowSet& normal, const signal::WindowSet& all,
              const signal::WindowSet& tested)
-      : scale(normal, all), training(scale.training()), test(scale.rows_of(tested, "--test")) {}
+      : scale(normal, all, 0), training(scale.training()), test(scale.rows_of(tested, "--test")) {}
   SymptomScale scale;
   SymptomRows training;
   SymptomRows test;

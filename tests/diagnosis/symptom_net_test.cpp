@@ -20,7 +20,7 @@ class SymptomNetOfToys : public testing::Test {
     for (const Label label : {0, 1, 2}) add_impact_windows(test_, label, 20, stream, 9);
   }
   [[nodiscard]] Learned trained(const std::string& stream) const {
-    return train_symptom_net(normal_, training_, Stream(stream));
+    return train_symptom_net(normal_, training_, 0, Stream(stream));
   }
   [[nodiscard]] Outputs outputs_of(const Learned& learned) const {
     return learned.trained->outputs(test_, "--test");
@@ -57,7 +57,7 @@ TEST_F(SymptomNetOfToys, IsReproducibleForAStream) {
 
 TEST_F(SymptomNetOfToys, ReportsEachEpoch) {
   std::vector<std::int64_t> epochs;
-  (void)train_symptom_net(normal_, training_, Stream("toy"),
+  (void)train_symptom_net(normal_, training_, 0, Stream("toy"),
                           [&](std::int64_t done, double) { epochs.push_back(done); });
   ASSERT_EQ(epochs.size(), 60U);
   EXPECT_EQ(epochs.front(), 1);

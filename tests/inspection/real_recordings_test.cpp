@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 
+#include "bearing/impact_frequency.hpp"
 #include "inspection/warnings.hpp"
 
 namespace piae::inspection {
@@ -98,6 +100,95 @@ TEST(RealRecordings, OfUestcAreClippedInTwoRecords) {
               ElementsAre(AllOf(HasSubstr("I_1400_1.mat"), HasSubstr("clipped: 13 samples"),
                                 HasSubstr("(9.999)")),
                           AllOf(HasSubstr("I_1400_2.mat"), HasSubstr("clipped: 9 samples"))));
+}
+
+/// Counts of named lines, by their truth: the order within 1 %, and the fault type.
+struct Named {
+  int records = 0;
+  int visible = 0;  ///< records whose true line, at the speed used, exceeds 8 dB
+  int order = 0;    ///< of these, orders within 1 %
+  int type = 0;     ///< of these, the right type, too
+  int high = 0;     ///< of all records, those named with high confidence
+  int wrong_high = 0;
+  int fair = 0;
+  int wrong_fair = 0;
+};
+
+Likeness true_likeness(signal::Defect fault_type) {
+  switch (fault_type) {
+    case signal::Defect::outer:
+      return Likeness::outer;
+    case signal::Defect::inner:
+      return Likeness::inner;
+    case signal::Defect::roller:
+      return Likeness::ball;
+    default:
+      return Likeness::nothing;
+  }
+}
+
+/// Returns the highest comb within 1 % of an order.
+double comb_near(const OrderExcess& excess, double order) {
+  double highest = 0;
+  for (int i = -20; i <= 20; ++i) {
+    highest = std::max(highest, excess.comb_db(order * (1 + 0.0005 * i), 10).value_or(0));
+  }
+  return highest;
+}
+
+/// Names the lines of a data set as if its bearing were unknown. Empty without the recordings.
+std::optional<Named> named_without_bearing(const std::string& dataset) {
+  auto description = signal::read_description(descriptions / (dataset + ".toml"));
+  const bearing::Geometry geometry = description.info.bearing;
+  description.info.has_bearing = false;
+  const auto found = checked(description);
+  if (!found) return std::nullopt;
+  Named named;
+  for (const RecordCheck& record : found->records) {
+    if (!record.unknown_line) continue;
+    const UnknownLine& line = *record.unknown_line;
+    const signal::Defect fault_type = description.info.class_of(record.source.label).defect;
+    const double truth = bearing::impact_frequency_hz(geometry, fault_type, 60);
+    const bool is_near = std::abs(line.order / truth - 1) < 0.01;
+    const bool is_right = is_near && line.likeness == true_likeness(fault_type);
+    const bool is_fair = line.likeness != Likeness::nothing && !line.is_certain;
+    ++named.records;
+    named.high += line.is_certain ? 1 : 0;
+    named.wrong_high += line.is_certain && !is_right ? 1 : 0;
+    named.fair += is_fair ? 1 : 0;
+    named.wrong_fair += is_fair && !is_right ? 1 : 0;
+    const RecordCheck& healthy =
+        *healthy_record_for(record, *found, description.info.healthy_label());
+    const OrderExcess excess(record.order_lines, healthy.order_lines,
+                             record.shown_speed_rpm() / 60);
+    if (comb_near(excess, truth) < 8) continue;
+    ++named.visible;
+    named.order += is_near ? 1 : 0;
+    named.type += is_right ? 1 : 0;
+  }
+  std::cout << dataset << ": records " << named.records << ", visible " << named.visible
+            << ", order within 1 % " << named.order << ", and type " << named.type << "; high "
+            << named.high << " (wrong " << named.wrong_high << "), fair " << named.fair
+            << " (wrong " << named.wrong_fair << ")\n";
+  return named;
+}
+
+/// docs/own-machine.md shows these numbers.
+TEST(RealRecordings, ShowTheirLinesWithoutTheirBearing) {
+  const auto cwru = named_without_bearing("cwru-blind");
+  const auto hit_sm = named_without_bearing("hit-sm-types-zero");
+  const auto uestc = named_without_bearing("uestc-true-types-zero");
+  const auto nominal = named_without_bearing("uestc-types-zero");
+  if (!cwru || !hit_sm || !uestc || !nominal)
+    GTEST_SKIP() << "DATA_DIR does not have the recordings";
+  for (const Named& named : {*cwru, *hit_sm, *uestc, *nominal}) {
+    EXPECT_EQ(named.wrong_high, 0);
+    EXPECT_GE(named.order, 0.9 * named.visible);
+  }
+  EXPECT_GE(cwru->visible, 38);
+  EXPECT_GE(hit_sm->visible, 18);
+  EXPECT_GE(uestc->visible, 10);
+  EXPECT_GE(cwru->high + hit_sm->high, 25);
 }
 
 }  // namespace

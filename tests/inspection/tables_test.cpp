@@ -38,6 +38,24 @@ TEST(CheckTables, ShowLevelsLinesAndClasses) {
   EXPECT_LE(widest_line(text), 100U);
 }
 
+TEST(CheckTables, ShowTheLinesOfAnUnknownBearing) {
+  Found found;
+  found.description.info.has_bearing = false;
+  std::vector<RecordCheck>& records = found.check.records;
+  records[1].shaft = spectra::ShaftSpeed{1477.2, 3};
+  records[1].unknown_line = UnknownLine{
+      Likeness::outer, 3.5851, 25.24, true, {"SKF 6205-2RS JEM", "SKF 6205", "NSK 6205 DDU"}};
+  records[2].unknown_line = UnknownLine{Likeness::outer_or_inner, 5.4, 12, false, {}};
+  records[3].unknown_line = UnknownLine{.db = 3.3};
+  const std::string text = tables_of(found.description, found.check);
+  EXPECT_THAT(text,
+              ContainsRegex(
+                  "outer +outer race +high +SKF 6205-2RS JEM, SKF 6205 \\+1 +1477 +3.585 +25.2\n"));
+  EXPECT_THAT(text, ContainsRegex("inner +outer or inner +fair +- +1797 +5.400 +12.0\n"));
+  EXPECT_THAT(text, ContainsRegex("ball +none can be named +- +- +1797 +- +3.3\n"));
+  EXPECT_LE(widest_line(text), 100U);
+}
+
 TEST(CheckTables, FitIntoAHundredColumnsWhateverTheNames) {
   Found found;
   const std::string long_name(60, 'x');

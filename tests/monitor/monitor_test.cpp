@@ -8,6 +8,7 @@
 
 #include "monitor/judged.hpp"
 #include "signal/amplitude.hpp"
+#include "support/turning_shaft.hpp"
 
 namespace piae::monitor {
 namespace {
@@ -94,6 +95,31 @@ TEST(Monitor, ResamplesAFasterStream) {
               "0.60 OR off; 0.70 OR raised OR; 0.80 OR on OR; 0.90 OR on OR; ")
         << piece;
   }
+}
+
+/// Two blocks of 10 s show 1560 rpm.
+TEST(Monitor, GivesWindowsTheSpeedOfTheStream) {
+  std::vector<float> signal(40000);
+  for (unsigned seed = 1; seed <= 16; ++seed) {  // their harmonics add up, their noise less so
+    const std::vector<double> shaft = turning_shaft(1560, signal.size(), 1000, seed);
+    for (std::size_t i = 0; i < shaft.size(); ++i) signal[i] += static_cast<float>(shaft[i]);
+  }
+  MonitorOptions options = options_at(1000);
+  options.speed_search_percent = 10;
+  std::vector<double> speeds_rpm;
+  const auto predict = [&](const signal::WindowSet& windows) {
+    speeds_rpm.insert(speeds_rpm.end(), windows.shaft_speed_rpm.begin(),
+                      windows.shaft_speed_rpm.end());
+    return by_mean(windows);
+  };
+  Monitor monitor(rig(), window_length, predict, options, "raw");
+  monitor.add(std::as_bytes(std::span(signal)), [](const Decision&) {});
+  monitor.finish([](const Decision&) {});
+  ASSERT_EQ(speeds_rpm.size(), 400U);
+  EXPECT_EQ(speeds_rpm[0], 1500);
+  EXPECT_EQ(speeds_rpm[198], 1500);
+  EXPECT_NEAR(speeds_rpm[199], 1560, 2);
+  EXPECT_NEAR(speeds_rpm[399], 1560, 2);
 }
 
 TEST(Monitor, CutsNoWindowAcrossNonFiniteSamples) {

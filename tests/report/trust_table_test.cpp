@@ -43,7 +43,7 @@ class TrustTable : public StoredRun {
     const diagnosis::Classifier& entry = diagnosis::the_classifier("nearest");
     const diagnosis::KeptClassifier kept(
         windows.info, windows.length, entry,
-        diagnosis::learn(entry, windows, windows, {}, stream, nullptr).trained,
+        diagnosis::learn(entry, windows, windows, {}, stream).trained,
         {.temperature = temperature, .windows = 6}, diagnosis::Novelty(windows, {0, 1, 2, 3, 4, 5}),
         {.method = method,
          .ratio = "100to1",

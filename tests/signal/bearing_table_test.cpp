@@ -108,6 +108,22 @@ TEST(BearingTable, NamesTheDeepGrooveBearingOfAnInsert) {
   EXPECT_ERROR(bearing_called("UC201", table), Exit::bad_input, table.string() + "; give balls");
 }
 
+/// d / D = 7.94 / 39.04 = 0.20338: 4.5 (1 - 0.20338), 4.5 (1 + 0.20338), 1 / 0.20338 - 0.20338.
+TEST(BearingTable, ListsTheLinesOfAllCompleteRows) {
+  const Folder folder;
+  const auto lines = lines_of_bearings(
+      folder.write("bearings.csv", some_rows + "half,9,7.9,,0,,,,,a\nnothing,,,,,,,,,b\n"));
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[0].designation, "SKF 6205-2RS JEM");
+  EXPECT_NEAR(lines[0].bpfo, 3.5848, 1e-4);
+  EXPECT_NEAR(lines[0].bpfi, 5.4152, 1e-4);
+  EXPECT_NEAR(lines[0].twice_bsf.value(), 4.7135, 1e-3);
+  EXPECT_EQ(lines[4].bpfo, 2.55);
+  EXPECT_FALSE(lines[4].twice_bsf);
+  EXPECT_EQ(lines[5].twice_bsf.value(), 4.0);
+  EXPECT_TRUE(lines_of_bearings(folder / "none.csv").empty());
+}
+
 TEST(BearingTable, GivesOrdersIfTheGeometryIsUnknown) {
   const Folder folder;
   EXPECT_THAT(bearing_called("NTN 6201", folder.write("bearings.csv", some_rows)),

@@ -151,6 +151,48 @@ TEST(Description, AllowsSnapshotsInARecordOfManyFiles) {
   EXPECT_ERROR(read("\"rig/b_*.csv\"", "nan"), Exit::bad_input, "snapshot_interval_s");
 }
 
+TEST(Description, AllowsARecordedSpeed) {
+  const Folder folder;
+  const auto read = [&](const std::string& speed) {
+    const std::string text =
+        replaced(good, "shaft_speed_rpm = 905.5", "shaft_speed_rpm = " + speed);
+    return read_description(folder.write("rig.toml", text)).records[2];
+  };
+  EXPECT_EQ(read("905.5").speed, std::nullopt);
+  const RecordSource channel = read("\"n\"");
+  ASSERT_TRUE(channel.speed);
+  EXPECT_EQ(channel.speed->variable, "n");
+  EXPECT_EQ(channel.speed->file, "");
+  EXPECT_EQ(channel.tacho_file(), std::nullopt);
+  EXPECT_EQ(channel.shaft_speed_rpm, 900);  // the data set's, until the channel is read
+  const RecordSource tacho = read(R"({ file = "t.csv", variable = "1", pulses_per_turn = 60 })");
+  EXPECT_EQ(tacho.tacho_file(), "t.csv");
+  EXPECT_EQ(tacho.speed->pulses_per_turn, 60);
+  EXPECT_EQ(read(R"({ file = "t.csv", variable = "1" })").speed->pulses_per_turn, 1);
+  const auto expect_refused = [&](const std::string& speed, const std::string& text) {
+    EXPECT_ERROR(read(speed), Exit::bad_input, text);
+  };
+  expect_refused("\"\"", "record.shaft_speed_rpm is empty");
+  expect_refused("[900]", "record.shaft_speed_rpm must be a finite number");
+  expect_refused("{ file = \"t.csv\" }", "shaft_speed_rpm.variable is missing");
+  expect_refused("{ variable = \"1\" }", "shaft_speed_rpm.file is missing");
+  expect_refused(R"({ file = "../t.csv", variable = "1" })",
+                 "shaft_speed_rpm.file must be a path below the data folder");
+  expect_refused(R"({ file = "t.csv", variable = "1", pulses_per_turn = 0 })",
+                 "shaft_speed_rpm.pulses_per_turn must be from 0.01");
+  expect_refused(R"({ file = "t.csv", variable = "1", pulses = 60 })", "shaft_speed_rpm.pulses is");
+}
+
+TEST(Description, ListsFilesOfPulses) {
+  const Folder folder;
+  const auto file = folder.write(
+      "rig.toml", replaced(good, "shaft_speed_rpm = 905.5",
+                           R"(shaft_speed_rpm = { file = "rig/t.csv", variable = "1" })"));
+  EXPECT_THAT(recordings_of(read_description(file), folder.path()),
+              ElementsAre("rig/b.csv", "rig/c.csv", "rig/a.mat", "rig/t.csv"));
+  EXPECT_NE(list_of_sources(file, folder.path()).find("-  rig/t.csv  -\n"), std::string::npos);
+}
+
 TEST(Description, AllowsManyFilesInARecord) {
   const Folder folder;
   const std::string text =

@@ -79,6 +79,23 @@ TEST_F(NominalSpeeds, AreNotReplacedBeyondTheSearch) {
   EXPECT_EQ(speeds()[3], 790);
 }
 
+/// The shaft of b seems to turn at 1272 rpm, but its pulses, which count, say 1200.
+TEST_F(NominalSpeeds, AreNotThoseOfTheSignalWhereTheSpeedWasRecorded) {
+  std::string pulses;
+  for (int i = 0; i <= 200; ++i) pulses += std::to_string(0.05 * i) + '\n';
+  folder_.write("b-pulses.csv", pulses);
+  description_.records[1].speed = SpeedSource{.file = "b-pulses.csv", .variable = "1"};
+  description_.records[1].shaft_speed_rpm = 1;
+  int done = 0;
+  EXPECT_EQ(use_speeds_of_signals(description_, folder_.path(), [&] { ++done; }).found, 0U);
+  EXPECT_EQ(done, 1);
+  EXPECT_THAT(speeds(), ElementsAre(1200, 1200, 1200, 800));
+  EXPECT_NEAR(description_.info.conditions[0].shaft_speed_rpm, 1200, 0.01);
+  description_.speed_search_percent = 10;
+  EXPECT_EQ(use_speeds_of_signals(description_, folder_.path(), [] {}).found, 2U);
+  EXPECT_THAT(speeds(), ElementsAre(1160, 1200, 1200, 790));
+}
+
 TEST(LongestPiece, IsThatOfMostSamples) {
   const std::vector<double> signal{1, 2, 3, 4, 5, 6};
   const auto piece = longest_piece(signal, {1, 3, 2});

@@ -67,6 +67,39 @@ TEST(Recordings, AreReadBackWithPieces) {
   }
 }
 
+TEST(Recordings, AreReadBackWithSpeedsOverTime) {
+  const Folder folder;
+  Recordings in = counting_recordings(600);  // 0.05 s
+  in.records[2].speeds = SpeedCourse{.block_s = 0.02, .rpm = {1500, 1510, 1530}};
+  const auto load_again = [&] { return load(save(folder, in)); };
+  const Recordings out = load_again();
+  ASSERT_TRUE(out.records[2].speeds);
+  EXPECT_EQ(out.records[2].speeds->block_s, 0.02);
+  EXPECT_EQ(out.records[2].speeds->rpm, in.records[2].speeds->rpm);
+  EXPECT_FALSE(out.records[3].speeds);
+  EXPECT_FALSE(artefact::Reader(folder / "records.h5", "records").has("/speeds/R"));
+  in.records[2].speeds->rpm[1] = 0;
+  EXPECT_ERROR(load_again(), Exit::bad_input, "/speeds/N");
+  in.records[2].speeds->rpm = {1500};
+  EXPECT_ERROR(load_again(), Exit::bad_input,
+               "/speeds/N holds 1 blocks of 0.02 s, but the record lasts 0.05 s");
+  in.records[2].speeds->rpm = {};
+  EXPECT_ERROR(load_again(), Exit::bad_input, "/speeds/N");
+  in.records[2].speeds = SpeedCourse{.block_s = 0, .rpm = {1500}};
+  EXPECT_ERROR(load_again(), Exit::bad_input, "block_s");
+}
+
+TEST(Recordings, HaveSpeedsOfTheirOwnBeyondOnePercent) {
+  Recordings recordings = counting_recordings(10);
+  recordings.records[1].shaft_speed_rpm = 1797 * 1.009;
+  EXPECT_FALSE(recordings.have_speeds());
+  recordings.records[1].shaft_speed_rpm = 1797 * 0.98;
+  EXPECT_TRUE(recordings.have_speeds());
+  recordings = counting_recordings(10);
+  recordings.records[0].speeds = SpeedCourse{.block_s = 0.02, .rpm = {1797}};
+  EXPECT_TRUE(recordings.have_speeds());
+}
+
 TEST(Recordings, AreReadBackWithTheIntervalOfSnapshots) {
   const Folder folder;
   Recordings in = counting_recordings(10);

@@ -57,6 +57,20 @@ TEST_P(Protocols, CutThePapersNumbersOfWindows) {
   }
 }
 
+/// Speeds of records of a data set without conditions. Those of simulated records scatter less.
+TEST_P(Protocols, GiveWindowsTheSpeedOfTheirRecord) {
+  Recordings recordings = counting_recordings(80000);
+  const auto cut = [&] { return split(recordings, options_of(GetParam())).sets[A]; };
+  recordings.records[2].shaft_speed_rpm = 1800;
+  EXPECT_THAT(cut().shaft_speed_rpm, IsEmpty());
+  recordings.records[2].shaft_speed_rpm = 1700;
+  const WindowSet set = cut();
+  EXPECT_THAT(set.condition, IsEmpty());
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    EXPECT_EQ(set.speed_rpm(i), set.labels[i] == 0 ? 1700 : 1797);
+  }
+}
+
 /// Pieces of 2500, 700 and 3000 samples in turn: the second ones do not hold a window.
 TEST_P(Protocols, CutNoWindowAcrossPieces) {
   Recordings recordings = counting_recordings(80000);

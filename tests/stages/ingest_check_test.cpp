@@ -13,6 +13,7 @@
 namespace piae::stages {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -98,6 +99,24 @@ TEST_F(IngestCheck, ShowsGoodRecordingsAndWarnsOfNothing) {
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 102U) << line;
   EXPECT_FALSE(fs::exists(folder_ / "records.h5"));
+}
+
+/// BPFO is 3.584 and BPFI 5.416 times the shaft's speed. The impacts do not vary with its angle, so
+/// both look like those of an outer race. They fill every turn alike, so the shaft does not show.
+TEST_F(IngestCheck, NamesTheLinesOfAnUnknownBearing) {
+  std::string text = good_description;
+  const std::size_t bearing = text.find("[bearing]");
+  text.erase(bearing, text.find("[[class]]") - bearing);
+  for (const char* defect :
+       {"\"inner\"\ndefect_size_mm = 0.1778", "\"outer\"\ndefect_size_mm = 0.5334"}) {
+    text = replaced(text, defect, "\"other\"");
+  }
+  describe(text);
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("IR007 +outer race +fair +- +1797 +5\\.4[0-9]+"));
+  EXPECT_THAT(outcome.out, ContainsRegex("OR021 +outer race +fair +- +1797 +3\\.5[89][0-9]"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("BPFO")));
 }
 
 TEST_F(IngestCheck, DerivesRacewaysThatAreNotGiven) {

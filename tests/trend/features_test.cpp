@@ -69,9 +69,8 @@ TEST(Features, RiseWithTheAmplitude) {
   EXPECT_NEAR((after.shape_db - before.shape_db).abs().maxCoeff(), 0, 1e-4);
 }
 
-// Bursts of 3 kHz at the order of the outer race.
-TEST(Features, ShowTheLineOfImpacts) {
-  const FeatureMeter meter(25600, 2560, lines_shown(nskb, 1800, 25600, 2560));
+/// Returns the rise of the lines by bursts of 3 kHz at the order of the outer race at 1800 rpm.
+Eigen::ArrayXd rise_by_impacts_db(const FeatureMeter& meter, std::optional<double> speed_rpm) {
   Stream random("impacts");
   std::vector<float> healthy(2560);
   std::vector<float> faulty(2560);
@@ -82,11 +81,22 @@ TEST(Features, ShowTheLineOfImpacts) {
     faulty[i] = healthy[i] + static_cast<float>(3 * std::exp(-since_s * 2000) *
                                                 std::sin(2 * std::numbers::pi * 3000 * since_s));
   }
-  const Eigen::ArrayXd rise_db =
-      meter.measure(faulty).watched_db.tail(3) - meter.measure(healthy).watched_db.tail(3);
+  return meter.measure(faulty, speed_rpm).watched_db.tail(3) -
+         meter.measure(healthy, speed_rpm).watched_db.tail(3);
+}
+
+TEST(Features, ShowTheLineOfImpacts) {
+  const FeatureMeter meter(25600, 2560, lines_shown(nskb, 1800, 25600, 2560));
   Eigen::Index highest = 0;
-  EXPECT_GT(rise_db.maxCoeff(&highest), 6);
+  EXPECT_GT(rise_by_impacts_db(meter, std::nullopt).maxCoeff(&highest), 6);
   EXPECT_EQ(highest, 2);
+}
+
+TEST(Features, ShowTheLineAtTheSpeedOfTheWindow) {
+  const FeatureMeter meter(25600, 2560, lines_shown(nskb, 1600, 25600, 2560));
+  EXPECT_LT(rise_by_impacts_db(meter, std::nullopt)[2], 3);
+  const FeatureMeter of_right_speed(25600, 2560, lines_shown(nskb, 1800, 25600, 2560));
+  EXPECT_EQ(rise_by_impacts_db(meter, 1800)[2], rise_by_impacts_db(of_right_speed, {})[2]);
 }
 
 }  // namespace

@@ -61,9 +61,8 @@ Alarm alarm_of_trend(const Life& life) {
         alarm = (point.time_s - meter.window_s()) / 3600;
       }
     };
-    for_each_window(axis, rate_hz, length, [&](double start_s, std::span<const float> window) {
-      trend.add(start_s, window, report);
-    });
+    for_each_window(axis, rate_hz, length,
+                    [&](const TimedWindow& window) { trend.add(window, report); });
     first = earlier(first, alarm);
   }
   return first;
@@ -93,9 +92,8 @@ Measured measured(const Life& life) {
   Measured all;
   const double rate_hz = life.info.sample_rate_hz;
   for (std::size_t i = 0; i < life.axes.size(); ++i) {
-    for_each_window(
-        life.axes[i], rate_hz, window_of(life.axes[i], rate_hz, 0),
-        [&](double /*start_s*/, std::span<const float> window) { measure(window, all, 3 * i); });
+    for_each_window(life.axes[i], rate_hz, window_of(life.axes[i], rate_hz, 0),
+                    [&](const TimedWindow& window) { measure(window.samples, all, 3 * i); });
   }
   return all;
 }

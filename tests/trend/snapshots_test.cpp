@@ -25,10 +25,10 @@ signal::Record record_of(const std::vector<std::size_t>& pieces) {
 /// Returns start and first sample of each window at 10 Hz.
 std::vector<std::pair<double, float>> windows_of(const signal::Record& record, std::size_t length) {
   std::vector<std::pair<double, float>> windows;
-  for_each_window(record, 10, length, [&](double start_s, std::span<const float> window) {
-    EXPECT_EQ(window.size(), length);
-    EXPECT_EQ(window.back() - window.front(), static_cast<float>(length - 1));
-    windows.emplace_back(start_s, window.front());
+  for_each_window(record, 10, length, [&](const TimedWindow& window) {
+    EXPECT_EQ(window.samples.size(), length);
+    EXPECT_EQ(window.samples.back() - window.samples.front(), static_cast<float>(length - 1));
+    windows.emplace_back(window.start_s, window.samples.front());
   });
   return windows;
 }
@@ -41,6 +41,20 @@ TEST(Snapshots, GiveAWindowEachAtTheirTimes) {
               ElementsAre(Pair(0, 0), Pair(100, 5), Pair(200, 12), Pair(300, 16)));
   EXPECT_EQ(window_of(record, 10, 0.5), 5U);
   EXPECT_THAT(windows_of(record, 5), ElementsAre(Pair(0, 0), Pair(100, 5), Pair(300, 16)));
+}
+
+/// Blocks of 1 s at 10 Hz; the second snapshot follows the first one after 0.5 s of signal.
+TEST(Snapshots, HaveTheSpeedOfTheirOwnSamples) {
+  signal::Record record = record_of({5, 10});
+  record.snapshot_interval_s = 100;
+  const auto speeds = [&] {
+    std::vector<std::optional<double>> all;
+    for_each_window(record, 10, 5, [&](const TimedWindow& w) { all.push_back(w.speed_rpm); });
+    return all;
+  };
+  EXPECT_THAT(speeds(), ElementsAre(std::nullopt, std::nullopt));
+  record.speeds = signal::SpeedCourse{.block_s = 0.5, .rpm = {1000, 1100, 1200}};
+  EXPECT_THAT(speeds(), ElementsAre(1000.0, 1100.0));
 }
 
 TEST(Snapshots, WithoutAnIntervalContinueEachOther) {

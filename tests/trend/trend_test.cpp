@@ -22,7 +22,7 @@ class Watching {
     for (int i = 0; i < count; ++i) {
       const std::vector<float> window =
           rms > 0 ? noise_window(random_, rms) : std::vector<float>(noise_length, 1.5F);
-      trend.add(60.0 * minute_++, window, report());
+      trend.add({.start_s = 60.0 * minute_++, .samples = window}, report());
     }
   }
   void finish() { trend.finish(report()); }
@@ -96,7 +96,7 @@ TEST(Trend, NamesTheFeatureThatRose) {
     for (std::size_t i = 0; i < window.size(); ++i) {
       window[i] += static_cast<float>(2 * std::sin(0.2 * static_cast<double>(i)));  // 32.6 Hz
     }
-    machine.trend.add(60.0 * minute, window,
+    machine.trend.add({.start_s = 60.0 * minute, .samples = window},
                       [&](const TrendPoint& point) { machine.points.push_back(point); });
   }
   EXPECT_EQ(machine.points.back().cause, "25-50 Hz");
@@ -158,7 +158,8 @@ TEST(Trend, ComparesWithAKeptBaselineFromTheStart) {
   const auto report = [&](const TrendPoint& point) { points.push_back(point); };
   Stream random("later");
   for (int minute = 0; minute < 10; ++minute) {
-    later.add(60.0 * minute, noise_window(random, 10), report);
+    const std::vector<float> window = noise_window(random, 10);
+    later.add({.start_s = 60.0 * minute, .samples = window}, report);
   }
   EXPECT_EQ(points.size(), 10U);
   EXPECT_EQ(points.back().alarm, AlarmState::on);

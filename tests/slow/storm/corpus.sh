@@ -94,6 +94,8 @@ for class in Normal IR007 OR021; do
   awk -v seed="$((++seed))" 'BEGIN { srand(seed); for (i = 0; i < 4000; ++i) print rand() - 0.5 }' >$class.csv
   printf '[[record]]\nclass = "%s"\nfile = "%s.csv"\nvariable = "1"\nsample_rate_hz = 12000\n' $class $class >>loose.toml
 done
+awk 'BEGIN { for (i = 0; i < 12; ++i) printf "%.6f\n", i / 30 }' >turns.csv # of the last record
+echo 'shaft_speed_rpm = { file = "turns.csv", variable = "1" }' >>loose.toml
 stage ingest --description loose.toml --data-dir . --output loose.h5
 stage split --records loose.h5 "${split[@]}" --output-dir loose
 consumer loose.h5 split --records loose.h5 "${split[@]}" --output-dir out
@@ -248,7 +250,9 @@ record() { # class, file, variable
   echo 'url = "https://example.org/a.mat"'
   record IR007 rig/b.csv 1
   printf 'sha256 = "%064d"\n' 0
+  echo 'shaft_speed_rpm = "2"'
   record OR021 rig/c.h5 /x
+  echo 'shaft_speed_rpm = { file = "rig/turns.csv", variable = "1", pulses_per_turn = 2 }'
 } >description/raw.toml
 printf '%s\n' '[[record]]' 'class = "IR007"' 'condition = "900 rpm"' 'file = "rig/d.csv"' 'variable = "1"' \
   'sample_rate_hz = 12000' 'shaft_speed_rpm = 900' 'defect_size_mm = 0.3' |

@@ -1,12 +1,12 @@
-#include "inspection/shown_speed.hpp"
+#include "spectra/shown_speed.hpp"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 
-namespace piae::inspection {
+namespace piae::spectra {
 
-std::string other_speed(const std::optional<spectra::ShaftSpeed>& shaft, double given_rpm) {
+std::string other_speed(const std::optional<ShaftSpeed>& shaft, double given_rpm) {
   constexpr double equal_within = 0.01;
   if (!shaft || !shaft->is_certain()) return "";
   const double excess = shaft->rpm / given_rpm - 1;
@@ -15,4 +15,4 @@ std::string other_speed(const std::optional<spectra::ShaftSpeed>& shaft, double 
                      100 * std::abs(excess), excess > 0 ? "above" : "below");
 }
 
-}  // namespace piae::inspection
+}  // namespace piae::spectra
