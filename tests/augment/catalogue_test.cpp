@@ -142,7 +142,7 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
       "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, strike-twin, "
       "piae-dt-zero, oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, "
       "resample, "
-      "randomise, healthy-plus-impulses, oracle");
+      "randomise, healthy-plus-impulses, ddpm, ddpm-healthy, flow, oracle");
   EXPECT_EQ(refusal("piae-dt-zero"), "");
   info.classes[1].defect = signal::Defect::other;
   EXPECT_EQ(
@@ -151,7 +151,7 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
       "description of rig does not give; use a method that does not need it: smote, vae, wgan-gp, "
       "ae, "
       "oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, resample, "
-      "randomise, oracle");
+      "randomise, ddpm, ddpm-healthy, flow, oracle");
   EXPECT_EQ(refusal("ae"), "");
   info.has_bearing = false;
   EXPECT_EQ(refusal("ae"),
@@ -159,7 +159,7 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
             "does not give; "
             "use a method that does not need it: smote, vae, wgan-gp, oversample, shift, mixup, "
             "aligned-mixup, spectral, adasyn, borderline-smote, resample, randomise, "
-            "oracle");
+            "ddpm, ddpm-healthy, flow, oracle");
   EXPECT_EQ(refusal("shift"), "");
   info.has_bearing = true;
   info.classes[1] = {"bad", signal::Defect::outer, 0.5};

@@ -34,6 +34,12 @@ const Case vae{"vae", "--epochs 4 --width 8 --latent 3 --batch 4"};
 // Three batches per epoch: the generator's steps fall on other batches in each.
 const Case wgan_gp{"wgan-gp", "--epochs 4 --width 8 --latent 3 --batch 4 --critic-steps 2"};
 
+const std::string small_diffusion =
+    "--epochs 4 --batch 4 --channels 16 --blocks 1 --steps 3 --guidance 0.5";
+const Case ddpm{"ddpm", small_diffusion};
+const Case ddpm_healthy{"ddpm-healthy", small_diffusion + " --healthy-epochs 2 --change-blocks 1"};
+const Case flow{"flow", small_diffusion};
+
 std::string name_of(const testing::TestParamInfo<Case>& info) {
   std::string name = info.param.method;
   std::ranges::replace(name, '-', '_');
@@ -56,7 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
                          testing::Values(dynamics, physics, smote, oversample, shift, mixup,
                                          aligned_mixup, spectral, adasyn, borderline_smote,
                                          resample, randomise, strike_twin, piae_dt_zero,
-                                         healthy_plus_impulses, vae, wgan_gp),
+                                         healthy_plus_impulses, vae, wgan_gp, ddpm, ddpm_healthy,
+                                         flow),
                          name_of);
 
 TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
@@ -70,7 +77,8 @@ TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
 
 TEST_P(GeneratingMethod, HasParentsOfTheSameClassOrNone) {
   const std::vector<std::string> without{
-      "dynamics", "physics", "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp"};
+      "dynamics", "physics",      "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp",
+      "ddpm",     "ddpm-healthy", "flow"};
   const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 12);
   const bool records_parents = std::ranges::find(without, GetParam().method) == without.end();
   ASSERT_EQ(windows.parents.size(), records_parents ? windows.size() : 0);
@@ -123,7 +131,8 @@ TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
 
 /// Methods trained in epochs.
 class TrainedMethod : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod, testing::Values(vae, wgan_gp), name_of);
+INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod,
+                         testing::Values(vae, wgan_gp, ddpm, ddpm_healthy, flow), name_of);
 
 TEST_P(TrainedMethod, ContinuedTrainingEqualsAnUninterruptedOne) {
   const std::string uncut = bytes_of(trained(GetParam(), "uncut.h5", checkpoint_at("uncut")));
@@ -140,7 +149,7 @@ TEST_P(TrainedMethod, ContinuedTrainingEqualsAnUninterruptedOne) {
 
 TEST_P(TrainedMethod, ReportsDivergence) {
   try {
-    train(GetParam().method, "--epochs 50 --width 8 --learning-rate 1e30", known_windows(),
+    train(GetParam().method, GetParam().options + " --learning-rate 1e30", known_windows(),
           checkpoint_at("checkpoint"), "never.h5");
     FAIL() << "did not diverge";
   } catch (const Error& error) {

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "scoring/diagnosis_record.hpp"
 #include "signal/window_set.hpp"
 #include "stages/tiny.hpp"
@@ -61,9 +63,25 @@ TEST(Backend, ProgramsNamedAfterLibtorchLoadIt) {
 
 /// Returns the arguments of a training of one epoch.
 Arguments training(const std::string& method, const std::string& model) {
-  return {"--method", method, "--epochs", "1", "--known",  "C.h5",
-          "--seed",   "0",    "--width",  "8", "--output", model};
+  Arguments arguments{"--method", method,   "--epochs", "1",        "--known",
+                      "C.h5",     "--seed", "0",        "--output", model};
+  const bool is_diffusion = method.starts_with("ddpm") || method == "flow";
+  for (const char* const word :
+       is_diffusion ? std::array{"--channels", "16"} : std::array{"--width", "8"}) {
+    arguments.emplace_back(word);
+  }
+  if (method == "ddpm-healthy") {
+    for (const char* const word : {"--healthy", "B.h5", "--healthy-epochs", "1"}) {
+      arguments.emplace_back(word);
+    }
+  }
+  return arguments;
 }
+
+const std::vector<std::string> methods_with_networks{
+    "vae",         "wgan-gp",      "piae-dt",     "ae",
+    "piae-dt-cnn", "piae-dt-rnn",  "piae-dt-tcn", "piae-dt-transformer",
+    "ddpm",        "ddpm-healthy", "flow"};
 
 TEST(Backend, IsLibtorchOnlyIfRequested) {
   const Tiny tiny;
@@ -72,8 +90,7 @@ TEST(Backend, IsLibtorchOnlyIfRequested) {
   fs::create_directories(alone.parent_path());
   fs::copy_file(fs::path(PIAE_BIN) / "train", alone);
   const std::string program = fs::relative(alone, PIAE_BIN);
-  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
-                                   "piae-dt-tcn", "piae-dt-transformer"}) {
+  for (const std::string& method : methods_with_networks) {
     const Outcome outcome = tiny.run(program, training(method, "model.h5"));
     EXPECT_EQ(outcome.status, 0) << method << outcome.err;
   }
@@ -86,8 +103,7 @@ TEST(Backend, ModelsAreReadByBothBackEnds) {
   SKIP_WITHOUT_LIBTORCH();
   const Tiny tiny;
   tiny.run_chain_before("train");
-  for (const std::string method : {"vae", "wgan-gp", "piae-dt", "ae", "piae-dt-cnn", "piae-dt-rnn",
-                                   "piae-dt-tcn", "piae-dt-transformer"}) {
+  for (const std::string& method : methods_with_networks) {
     const Outcome trained =
         tiny.run("train", with(training(method, "model.h5"), "--backend", "libtorch"));
     ASSERT_EQ(trained.status, 0) << trained.err;

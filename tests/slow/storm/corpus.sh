@@ -113,6 +113,10 @@ train piae-dt-phase "${networks[@]}" --simulations 60 --inference-epochs 2 --inf
 train ae "${networks[@]}"
 train vae "${networks[@]}"
 train wgan-gp "${networks[@]}"
+diffusion=(--epochs 2 --channels 16 --blocks 1 --steps 2)
+train ddpm "${diffusion[@]}"
+train ddpm-healthy "${diffusion[@]}" --healthy-epochs 1 --healthy B.h5
+train flow "${diffusion[@]}"
 train physics --stiffness-grid 3 --damping-grid 2
 train dynamics
 train smote
