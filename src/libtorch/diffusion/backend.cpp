@@ -30,18 +30,14 @@ class Diffusion final : public diffusion::DiffusionBackend {
   }
 
   std::vector<float> velocities(const diffusion::NoisyBatch& batch, std::size_t networks) override {
-    const torch::NoGradGuard no_grad;
-    return to_vector(sum_of(batch, 0, networks));
+    return to_vector(without_gradients(batch, networks));
   }
 
   double step(std::size_t trained, const diffusion::NoisyBatch& batch,
               std::span<const float> velocities, double learning_rate) override {
-    torch::Tensor error = sum_of(batch, trained, trained + 1) - rows(velocities, batch);
-    if (trained > 0) {
-      const torch::NoGradGuard no_grad;
-      error = error + sum_of(batch, 0, trained);
-    }
-    const torch::Tensor loss = error.square().mean();
+    const torch::Tensor unchanged = without_gradients(batch, trained);
+    const torch::Tensor loss =
+        (unchanged + sum_of(batch, trained, trained + 1) - rows(velocities, batch)).square().mean();
     parameters_.zero_gradients();
     loss.backward();
     clip_norm(parameters_.gradients(networks_[trained].name + "/"),
@@ -83,6 +79,11 @@ class Diffusion final : public diffusion::DiffusionBackend {
       if (label) classes[i][*label] = 1;
     }
     return classes.to(device());
+  }
+  [[nodiscard]] torch::Tensor without_gradients(const diffusion::NoisyBatch& batch,
+                                                std::size_t networks) const {
+    const torch::NoGradGuard no_grad;
+    return sum_of(batch, 0, networks);
   }
   /// Returns the sum of the velocities by the networks from `first` to before `last`.
   [[nodiscard]] torch::Tensor sum_of(const diffusion::NoisyBatch& batch, std::size_t first,
