@@ -80,7 +80,10 @@ int main(int argc, char** argv) {
     require_one(sources);
     const artefact::Reader reader = stage.open("classifier", classifier_file, "");
     const bool for_all_machines = reader.kind() == "any-bearing";
-    if (!for_all_machines) require_classifier(reader);
+    if (!for_all_machines) {
+      require_classifier(reader);
+      require_no_healthy_records(sources);
+    }
     diagnosis::KeptClassifier kept = for_all_machines
                                          ? classification::fit_to_machine(stage, reader, sources)
                                          : diagnosis::KeptClassifier(reader);

@@ -1,5 +1,8 @@
 #include "classification/fitted.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -37,6 +40,20 @@ std::size_t length_at(double rate_hz, double speed_rpm) {
   return length;
 }
 
+/// Throws if a record that is to be the healthy reference is of a class with a defect.
+void require_healthy(const std::vector<Recording>& records, const signal::DatasetInfo& described) {
+  for (const Recording& record : records) {
+    const auto said =
+        std::ranges::find(described.classes, record.true_class, &signal::ClassInfo::name);
+    if (said == described.classes.end() || said->defect == signal::Defect::none) continue;
+    throw Error(
+        Exit::usage,
+        fmt::format("--healthy: record {} is of class {}, which has a defect; name records "
+                    "of class {}",
+                    record.name, said->name, described.class_of(described.healthy_label()).name));
+  }
+}
+
 /// Returns the windows of the healthy records.
 signal::WindowSet reference_of(const std::vector<Recording>& healthy,
                                const signal::DatasetInfo& info, std::size_t length) {
@@ -63,6 +80,7 @@ diagnosis::KeptClassifier fit_to_machine(cli::Stage& stage, const artefact::Read
   Sources of_healthy = sources;
   of_healthy.records = sources.healthy;
   const std::vector<Recording> healthy = read(stage, of_healthy, diagnosis::any_bearing, info);
+  require_healthy(healthy, described_machine(sources));
   info.shaft_speed_rpm = healthy.front().shaft_speed_rpm;
   const std::size_t length = length_at(info.sample_rate_hz, info.shaft_speed_rpm);
   const signal::WindowSet reference = reference_of(healthy, info, length);

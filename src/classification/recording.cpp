@@ -37,8 +37,8 @@ void require_records(const auto& records, const std::vector<std::string>& names,
     if (std::ranges::any_of(records, is_named)) continue;
     std::string there;
     for (const auto& record : records) there += " " + record.name;
-    throw Error(Exit::usage, fmt::format("--record: {} does not have a record '{}'; known:{}", file,
-                                         name, there));
+    throw Error(Exit::usage,
+                fmt::format("{} does not have a record '{}'; known:{}", file, name, there));
   }
 }
 

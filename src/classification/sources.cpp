@@ -53,6 +53,13 @@ void require_one(const Sources& sources) {
   }
 }
 
+void require_no_healthy_records(const Sources& sources) {
+  if (sources.healthy.empty()) return;
+  throw Error(Exit::usage,
+              "--healthy: this classifier was trained on healthy windows of its machine; leave the "
+              "option out, or give a network for all machines");
+}
+
 std::vector<Recording> read(cli::Stage& stage, const Sources& sources,
                             const diagnosis::Classifier& classifier,
                             const signal::DatasetInfo& trained) {

@@ -27,6 +27,9 @@ void bind(cli::Stage& stage, Sources& sources);
 /// sample rate and shaft speed.
 void require_one(const Sources& sources);
 
+/// Throws Error(usage) if healthy records are named, for a classifier that knows its machine.
+void require_no_healthy_records(const Sources& sources);
+
 /// Reads the recordings at the sample rate of the training, with the speed search of the sources,
 /// and records the files as inputs of the stage. Throws as read_lone_file(), read_described() and
 /// read_recorded() do.

@@ -17,7 +17,31 @@ using signal::DatasetInfo;
 
 constexpr std::size_t terminal_width = 80;
 constexpr std::size_t longest_name = 22;
-constexpr std::size_t shortest_name = 4;
+
+/// Longest names in a table.
+struct Longest {
+  std::size_t record = longest_name;
+  std::size_t class_name = longest_name;
+};
+
+/// Shortens names by one character; false if they cannot be shorter. Records stay apart as long as
+/// possible.
+bool shorten(Longest& longest) {
+  constexpr std::size_t distinct_record = 12;
+  constexpr std::size_t distinct_class = 6;
+  constexpr std::size_t shortest = 4;
+  std::size_t* which = nullptr;
+  if (longest.record > distinct_record) {
+    which = &longest.record;
+  } else if (longest.class_name > distinct_class) {
+    which = &longest.class_name;
+  } else {
+    which = longest.record > shortest ? &longest.record : &longest.class_name;
+  }
+  if (*which == shortest) return false;
+  --*which;
+  return true;
+}
 
 bool begins_character(char byte) { return (byte & 0xC0) != 0x80; }
 
@@ -54,24 +78,31 @@ std::string words_of(const inspection::FaultLine& line) {
   return fmt::format("{} {:+.1f} dB", inspection::line_name(line.fault_type), line.db.value_or(0));
 }
 
-/// Returns the table with names of at most `longest` characters.
+/// Returns the table with names of limited length. Its column of unknown windows is left out if
+/// unknown faults are not detected.
 std::string table_with_names(const std::vector<Verdict>& verdicts, const DatasetInfo& info,
-                             std::size_t longest) {
+                             const Longest& longest) {
   const bool has_true_classes = std::ranges::any_of(
       verdicts, [](const Verdict& verdict) { return !verdict.recording.true_class.empty(); });
   std::vector<std::string> header{"recording"};
   if (has_true_classes) header.emplace_back("said");
-  header.insert(header.end(), {"named", "evidence", "sure", "agree", "unknown", "windows"});
+  header.insert(header.end(), {"named", "evidence", "sure", "agree"});
+  const bool can_refuse = std::ranges::any_of(verdicts, &Verdict::can_refuse);
+  if (can_refuse) header.emplace_back("unknown");
+  header.emplace_back("windows");
   text::Table table(header, has_true_classes ? 4 : 3);
   for (const Verdict& verdict : verdicts) {
-    std::vector<std::string> row{shortened(verdict.recording.name, longest)};
-    if (has_true_classes) row.push_back(shortened(verdict.recording.true_class, longest));
-    row.push_back(verdict.unknown ? "unknown"
-                                  : shortened(info.class_of(verdict.label).name, longest));
+    std::vector<std::string> row{shortened(verdict.recording.name, longest.record)};
+    if (has_true_classes) {
+      row.push_back(shortened(verdict.recording.true_class, longest.class_name));
+    }
+    row.push_back(verdict.unknown
+                      ? "unknown"
+                      : shortened(info.class_of(verdict.label).name, longest.class_name));
     row.push_back(evidence_of(verdict, info));
     row.push_back(verdict.unknown ? "-" : percent(verdict.probability));
     row.push_back(verdict.unknown ? "-" : percent(verdict.share));
-    row.push_back(verdict.can_refuse ? percent(verdict.share_unknown) : "-");
+    if (can_refuse) row.push_back(verdict.can_refuse ? percent(verdict.share_unknown) : "-");
     row.push_back(std::to_string(verdict.start_s.size()));
     table.row(row);
   }
@@ -95,10 +126,10 @@ std::string evidence_of(const Verdict& verdict, const DatasetInfo& info) {
 }
 
 std::string table_of(const std::vector<Verdict>& verdicts, const DatasetInfo& info) {
-  std::size_t longest = longest_name;
+  Longest longest;
   std::string table = table_with_names(verdicts, info, longest);
-  while (widest_line_of(table) > terminal_width && longest > shortest_name) {
-    table = table_with_names(verdicts, info, --longest);
+  while (widest_line_of(table) > terminal_width && shorten(longest)) {
+    table = table_with_names(verdicts, info, longest);
   }
   return table;
 }

@@ -22,10 +22,9 @@ void require_fitting_options(const Task& task, const Inputs& inputs) {
                                          classifier.name));
   }
   if (task.settings.prewhitening && !classifier.prewhitening) {
-    throw Error(Exit::usage,
-                fmt::format("--prewhitening: {} does not learn from symptoms; leave the "
-                            "option out, or choose another --classifier",
-                            classifier.name));
+    throw Error(Exit::usage, fmt::format("--prewhitening: {} does not take one; leave the "
+                                         "option out, or choose another --classifier",
+                                         classifier.name));
   }
   if (classifier.rule && inputs.generated) {
     throw Error(Exit::usage, fmt::format("--generated: {} is a rule and uses healthy windows "

@@ -1,13 +1,13 @@
 #include "inspection/order_excess.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include "spectra/floors.hpp"
 #include "spectra/lengths.hpp"
+#include "spectra/mains.hpp"
 #include "spectra/power.hpp"
 #include "spectra/whole_band_envelope.hpp"
 
@@ -28,7 +28,6 @@ constexpr Index line_reach = 1;     // steps within which a harmonic is searched
 constexpr double foreign_reach = 0.03;
 constexpr double shaft_reach = 0.01;  // of the order: twice or three times such a line shows, too
 constexpr int side_band_harmonics = 6;
-constexpr std::array mains_hz{50.0, 60.0};
 constexpr double mains_harmonics = 8;
 
 /// Returns the highest value within `reach` steps of each.
@@ -95,7 +94,7 @@ double OrderExcess::at(double order) const {
 }
 
 bool OrderExcess::is_near_mains(double order) const {
-  return std::ranges::any_of(mains_hz, [&](double hz) {
+  return std::ranges::any_of(spectra::mains_hz, [&](double hz) {
     const double unit = hz / shaft_hz_;
     const double harmonic = std::clamp(std::round(order / unit), 1.0, mains_harmonics);
     return std::abs(order - harmonic * unit) <= foreign_reach;

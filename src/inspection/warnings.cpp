@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include "base/one_line.hpp"
@@ -45,8 +46,58 @@ void add_speeds(const Description& description, Lines& lines) {
   }
 }
 
-/// Warns of records whose shaft shows another speed than the given one.
-void add_other_speeds(const std::vector<RecordCheck>& records, Lines& lines) {
+/// Warns of recorded speeds that are far from the described one: another unit, or other pulses.
+void add_recorded_speeds(const Description& description, const std::vector<RecordCheck>& records,
+                         Lines& lines) {
+  constexpr double far = 1.5;
+  const double common = description.info.shaft_speed_rpm;
+  std::vector<const RecordCheck*> distant;
+  for (const RecordCheck& record : records) {
+    const double ratio = record.source.shaft_speed_rpm / common;
+    const bool is_far = ratio > far || ratio < 1 / far;
+    if (record.source.speed && record.problem.empty() && is_far) distant.push_back(&record);
+  }
+  const auto text = [&](const RecordCheck& record) {
+    return fmt::format(
+        "{}: its recorded speed is {:.5g} rpm in the mean, but shaft_speed_rpm = {:g} of the data "
+        "set; is the channel in rpm, are times in s, and how many pulses_per_turn are there?",
+        place_of(record.source), record.source.shaft_speed_rpm, common);
+  };
+  add_for_each(distant, text, lines);
+}
+
+/// Warns of suspect records whose lines cannot be named without a bearing.
+void add_unnamed_lines(const Description& description, const std::vector<RecordCheck>& records,
+                       Lines& lines) {
+  if (description.info.has_bearing) return;
+  const Label healthy = description.info.healthy_label();
+  std::vector<const RecordCheck*> short_ones;
+  bool any_named = false;
+  for (const RecordCheck& record : records) {
+    any_named = any_named || record.unknown_line.has_value();
+    const bool is_measured = record.order_lines.size() > 0 || record.turns() < fewest_turns;
+    if (record.source.label == healthy || !record.problem.empty() || is_measured) continue;
+    short_ones.push_back(&record);
+  }
+  const auto text = [](const RecordCheck& record) {
+    return fmt::format(
+        "{}: {:.3g} turns of the shaft are too few to name its fault line without a [bearing]; "
+        "use {:g} or more",
+        place_of(record.source), record.turns(), fewest_turns_for_orders);
+  };
+  add_for_each(short_ones, text, lines);
+  if (any_named && !std::filesystem::exists(description.bearing_table)) {
+    lines.push_back(fmt::format(
+        "{} is missing, so no bearing is named, and no line has a high confidence; copy "
+        "pipeline/bearings.csv there",
+        description.bearing_table.string()));
+  }
+}
+
+/// Warns of records whose shaft shows another speed than the given one, unless that is taken.
+void add_other_speeds(const Description& description, const std::vector<RecordCheck>& records,
+                      Lines& lines) {
+  if (description.speed_search_percent > 0) return;
   const auto other = [](const RecordCheck& record) {
     return spectra::other_speed(record.shaft, record.source.shaft_speed_rpm);
   };
@@ -223,7 +274,9 @@ std::vector<std::string> warnings_of(const Description& description, const Datas
       std::ranges::move(sample_warnings(record), std::back_inserter(lines));
   }
   add_levels(description.info, check.records, lines);
-  add_other_speeds(check.records, lines);
+  add_other_speeds(description, check.records, lines);
+  add_recorded_speeds(description, check.records, lines);
+  add_unnamed_lines(description, check.records, lines);
   for (const ClassCheck& found : check.classes) add_stride(description, found, lines);
   std::ranges::move(line_warnings(description.info, check.records), std::back_inserter(lines));
   return lines;

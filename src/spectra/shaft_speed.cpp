@@ -9,6 +9,7 @@
 
 #include "spectra/floors.hpp"
 #include "spectra/lengths.hpp"
+#include "spectra/mains.hpp"
 #include "spectra/power.hpp"
 #include "spectra/whole_band_envelope.hpp"
 
@@ -86,6 +87,13 @@ ArrayXd standardised(const ArrayXd& values) {
 
 ArrayXd power_of(const Eigen::RowVectorXd& signal) { return mean_power_spectrum(Windows(signal)); }
 
+/// True if all harmonics of this speed are those of the mains, too.
+bool turns_with_the_mains(double speed_hz) {
+  constexpr double reach = 0.002;
+  return std::ranges::any_of(mains_hz,
+                             [&](double mains) { return std::abs(speed_hz / mains - 1) < reach; });
+}
+
 /// Returns the best speed and its distance from the best of the others.
 ShaftSpeed best_of(const ArrayXd& speeds_hz, const ArrayXd& sum) {
   Index best = 0;
@@ -95,7 +103,8 @@ ShaftSpeed best_of(const ArrayXd& speeds_hz, const ArrayXd& sum) {
     const bool is_apart = std::abs(speeds_hz[i] / speeds_hz[best] - 1) > own_peak;
     if (is_apart) other = std::max(other, sum[i]);
   }
-  return {.rpm = 60 * speeds_hz[best], .confidence = highest - other};
+  const double speed_hz = speeds_hz[best];
+  return {.rpm = 60 * speed_hz, .confidence = turns_with_the_mains(speed_hz) ? 0 : highest - other};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 using testing::Each;
 using testing::HasSubstr;
 using testing::Le;
+using testing::Not;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
@@ -106,6 +107,22 @@ TEST(ClassificationTable, FitsATerminalWithNamesOfAnyLength) {
       EXPECT_THAT(widths_of_lines(table_of(verdicts, info)), Each(Le(80U))) << length << true_class;
     }
   }
+}
+
+// UESTC's records, of four speeds, as the network for all machines names them.
+TEST(ClassificationTable, KeepsRecordsApart) {
+  signal::DatasetInfo info = three_classes();
+  info.classes[1].name = "inner";
+  std::vector<Verdict> verdicts;
+  for (const char* const name : {"healthy-1000-rpm-01", "healthy-1200-rpm-01"}) {
+    verdicts.push_back(with_line(judged(name, {1}, "healthy"), 112.34, true));
+    verdicts.back().can_refuse = false;
+  }
+  const std::string table = table_of(verdicts, info);
+  EXPECT_THAT(table, HasSubstr("healthy-1000-rpm-01  healthy  inner"));
+  EXPECT_THAT(table, HasSubstr("healthy-1200-rpm-01  healthy  inner"));
+  EXPECT_THAT(table, Not(HasSubstr("unknown")));  // nothing can be
+  EXPECT_THAT(widths_of_lines(table), Each(Le(80U)));
 }
 
 // The other columns take 59 of the 80 characters.

@@ -70,7 +70,7 @@ TEST(ADiagnosis, RefusesOptionsThatItsClassifierDoesNotSupport) {
   Task task = task_of("nearest");
   task.settings.prewhitening = 0.5;
   EXPECT_ERROR(Diagnosis(task, inputs_of_tones(), "C.h5"), Exit::usage,
-               "--prewhitening: nearest does not learn from symptoms");
+               "--prewhitening: nearest does not take one");
 }
 
 }  // namespace

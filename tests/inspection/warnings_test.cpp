@@ -271,6 +271,43 @@ TEST(Warnings, NameAnImplausibleLevel) {
 }
 
 /// 1200 of 120000 samples at 12 kHz.
+TEST(Warnings, NameARecordedSpeedThatIsFarFromTheDescribedOne) {
+  Found found;
+  RecordCheck& record = found.check.records[1];
+  record.source.speed.emplace();
+  record.source.shaft_speed_rpm = 1797 * 1.4;
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+  record.source.shaft_speed_rpm = 1797 * 60;
+  EXPECT_THAT(warnings_of(found),
+              Contains(AllOf(HasSubstr("its recorded speed is 1.0782e+05 rpm in the mean, but "
+                                       "shaft_speed_rpm = 1797 of the data set"),
+                             HasSubstr("pulses_per_turn"))));
+}
+
+TEST(Warnings, DoNotNameASpeedThatIsTakenFromTheSignal) {
+  Found found;
+  found.check.records[1].shaft = spectra::ShaftSpeed{1797 * 1.055, 9};
+  EXPECT_FALSE(warnings_of(found).empty());
+  found.description.speed_search_percent = 10;
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+}
+
+// The lines of an unknown bearing need fifty turns, and the table of bearings.
+TEST(Warnings, NameWhatAnUnknownBearingNeeds) {
+  Found found;
+  found.description.info.has_bearing = false;
+  for (RecordCheck& record : found.check.records) {
+    record.order_lines = Eigen::ArrayXd::Zero(10);
+    record.unknown_line.emplace();
+  }
+  found.description.bearing_table = "nowhere/bearings.csv";
+  expect_one(found, {"nowhere/bearings.csv is missing", "copy pipeline/bearings.csv there"});
+  found.description.bearing_table = __FILE__;
+  EXPECT_THAT(warnings_of(found), IsEmpty());
+  found.check.records.back().order_lines.resize(0);
+  expect_one(found, {"too few to name its fault line without a [bearing]; use 50 or more"});
+}
+
 TEST(Warnings, NameTheSpeedThatTheShaftShows) {
   Found found;
   found.check.records[0].shaft = spectra::ShaftSpeed{1797 * 1.009, 9};

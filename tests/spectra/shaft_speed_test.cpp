@@ -35,6 +35,31 @@ TEST(ShaftSpeed, IsFoundByItsHarmonics) {
   }
 }
 
+/// Adds harmonics of the mains, higher than those of the shaft.
+void add_hum(double mains_hz, std::vector<double>& signal) {
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    const double turn = 2 * std::numbers::pi * mains_hz * static_cast<double>(i) / rate_of_shaft_hz;
+    for (int n = 1; n <= 12; ++n) signal[i] += 0.1 / std::sqrt(n) * std::sin(n * turn);
+  }
+}
+
+// A motor of two poles turns a little slower than the mains.
+TEST(ShaftSpeed, IsNotThatOfTheMains) {
+  for (const double mains_hz : {50.0, 60.0}) {
+    const double rpm = 60 * mains_hz * 2950 / 3000;
+    std::vector<double> signal = turning_shaft(rpm, ten_s, rate_of_shaft_hz);
+    add_hum(mains_hz, signal);
+    const auto speed = estimate_shaft_speed(signal, rate_of_shaft_hz, rpm);
+    ASSERT_TRUE(speed);
+    EXPECT_FALSE(speed->is_certain()) << speed->rpm;  // the hum is higher
+    const auto without =
+        estimate_shaft_speed(turning_shaft(rpm, ten_s, rate_of_shaft_hz), rate_of_shaft_hz, rpm);
+    ASSERT_TRUE(without);
+    EXPECT_TRUE(without->is_certain());
+    EXPECT_NEAR(without->rpm / rpm, 1, 5e-4);
+  }
+}
+
 /// Noise of twice the amplitude during a tenth of each turn: only the envelope shows the speed.
 TEST(ShaftSpeed, IsFoundByTheEnvelopeAlone) {
   std::vector<double> signal = white_noise(ten_s);

@@ -281,8 +281,7 @@ TEST_F(Classify, UsesTheRequestedRecordsOfADescription) {
   other.back() = "IR007-03";
   // The error comes before the recordings are read.
   fs::remove(tiny_ / "data/OR021-01.csv");
-  expect_refused(other, 2,
-                 {"--record: mine.toml does not have a record 'IR007-03'; known:", "OR021-02"});
+  expect_refused(other, 2, {"mine.toml does not have a record 'IR007-03'; known:", "OR021-02"});
 }
 
 TEST_F(Classify, HasAWindowAtEachStep) {
@@ -317,7 +316,7 @@ TEST_F(Classify, JudgesCheckedRecordsLikeTheirDescription) {
   EXPECT_EQ(judged({"--records", "records.h5"}), described);
   EXPECT_EQ(judged({"--records", "records.h5", "--record", "OR021-01"}).size(), 1U);
   expect_refused({"--classifier", "classifier.h5", "--records", "records.h5", "--record", "a"}, 2,
-                 {"--record: records.h5 does not have a record 'a'; known: IR007-01"});
+                 {"records.h5 does not have a record 'a'; known: IR007-01"});
   expect_refused({"--classifier", "classifier.h5", "--records", "A.h5"}, 65,
                  {"A.h5: is an artefact"});
 }

@@ -80,6 +80,14 @@ TEST_F(Teach, IsRefusedWithoutHealthyRecords) {
                  {"does not have a record 'Norm'; known: IR007-01 Normal-01 OR021-01"});
 }
 
+TEST_F(Teach, RefusesAFaultyRecordAsTheHealthyReference) {
+  expect_refused("classify",
+                 {"--classifier", stored_network(), "--records", "rig.h5", "--healthy", "IR007-01"},
+                 2,
+                 {"--healthy: record IR007-01 is of class IR007, which has a defect; name "
+                  "records of class Normal"});
+}
+
 TEST_F(Teach, RefusesOtherArtefacts) {
   expect_refused("classify", {"--classifier", "rig.h5", "--records", "rig.h5"}, 65,
                  {"rig.h5: is an artefact of kind 'records', not 'classifier'"});
