@@ -14,7 +14,7 @@
 
 namespace piae::diffusion {
 
-/// What a network learns from, and for how long.
+/// Windows that a network learns from, and how long.
 struct Lesson {
   std::vector<float> windows;  ///< [n, N], each without its mean, in units of its class's RMS
   std::vector<Label> labels;   ///< [n]

@@ -54,7 +54,7 @@ TEST(Denoiser, HasDilationsUpToHalfAWindow) {
   EXPECT_EQ(Denoiser::dilation(6), 1);
 }
 
-// The network written once more, number by number.
+// Compares with the network written out number by number.
 TEST(Denoiser, ComputesResidualBlocksOfDilatedConvolutions) {
   const auto parameters =
       std::make_shared<nets::Parameters<double>>(denoiser_specs(example), Stream("initial"));
