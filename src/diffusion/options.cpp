@@ -1,13 +1,14 @@
 #include "diffusion/options.hpp"
 
+#include <cmath>
+
 namespace piae::diffusion {
 
 namespace {
 
 cli::Check channels() {
-  return cli::number("16, 32, 48, ...", "a multiple of 16, at most 1024", [](double x) {
-    return x >= 16 && x <= 1024 && x / 16 == static_cast<int>(x) / 16;
-  });
+  return cli::number("16, 32, 48, ...", "a multiple of 16, at most 1024",
+                     [](double x) { return x >= 16 && x <= 1024 && std::fmod(x, 16) == 0; });
 }
 
 }  // namespace
