@@ -26,8 +26,7 @@ signal::DatasetInfo described_machine(const Sources& sources) {
   return signal::read_description(sources.description).info;
 }
 
-signal::DatasetInfo machine_of(const Sources& sources) {
-  signal::DatasetInfo info = described_machine(sources);
+signal::DatasetInfo machine_of(signal::DatasetInfo info) {
   info.classes = machines::fault_type_classes();
   info.conditions.clear();
   return info;
@@ -76,11 +75,12 @@ diagnosis::KeptClassifier fit_to_machine(cli::Stage& stage, const artefact::Read
                 "--classifier is a network for all machines, which needs healthy records of this "
                 "one: give --description or --records, and name them by --healthy");
   }
-  signal::DatasetInfo info = machine_of(sources);
+  const signal::DatasetInfo described = described_machine(sources);
+  signal::DatasetInfo info = machine_of(described);
   Sources of_healthy = sources;
   of_healthy.records = sources.healthy;
   const std::vector<Recording> healthy = read(stage, of_healthy, diagnosis::any_bearing, info);
-  require_healthy(healthy, described_machine(sources));
+  require_healthy(healthy, described);
   info.shaft_speed_rpm = healthy.front().shaft_speed_rpm;
   const std::size_t length = length_at(info.sample_rate_hz, info.shaft_speed_rpm);
   const signal::WindowSet reference = reference_of(healthy, info, length);
