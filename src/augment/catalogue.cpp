@@ -32,6 +32,9 @@ using Shift = Repetition::Shift;
 using Speed = Playback::Speed;
 using Start = Smote::Start;
 using Partner = Mixup::Partner;
+using diffusion::Angle;
+using diffusion::Path;
+using From = Diffusion::From;
 
 template <class M, auto... arguments>
 std::unique_ptr<Method> make() {
@@ -183,19 +186,38 @@ constexpr CatalogueEntry entries[] = {
     {.name = "ddpm",
      .kind = Kind::control,
      .what = "a conditional denoising diffusion model",
-     .make = make<Diffusion, diffusion::Path::diffusion, Diffusion::From::known>,
+     .make = make<Diffusion, Path::diffusion, From::known, Angle::known>,
      .trains = true},
+    {.name = "ddpm-angle",
+     .kind = Kind::control,
+     .what = "the same, of known windows from random angles of their fault cycle",
+     .make = make<Diffusion, Path::diffusion, From::known, Angle::drawn>,
+     .trains = true,
+     .needs = Needs::impact_rate},
     {.name = "ddpm-healthy",
      .kind = Kind::control,
-     .what = "the same, of healthy windows, and a small network of what a fault changes",
-     .make = make<Diffusion, diffusion::Path::diffusion, Diffusion::From::healthy>,
+     .what = "ddpm of healthy windows, and a small network of what a fault changes",
+     .make = make<Diffusion, Path::diffusion, From::healthy, Angle::known>,
      .healthy = Healthy::required,
      .trains = true},
+    {.name = "ddpm-healthy-angle",
+     .kind = Kind::control,
+     .what = "the same, of known windows from random angles",
+     .make = make<Diffusion, Path::diffusion, From::healthy, Angle::drawn>,
+     .healthy = Healthy::required,
+     .trains = true,
+     .needs = Needs::impact_rate},
     {.name = "flow",
      .kind = Kind::control,
      .what = "a conditional flow from noise to windows",
-     .make = make<Diffusion, diffusion::Path::flow, Diffusion::From::known>,
+     .make = make<Diffusion, Path::flow, From::known, Angle::known>,
      .trains = true},
+    {.name = "flow-angle",
+     .kind = Kind::control,
+     .what = "the same, of known windows from random angles",
+     .make = make<Diffusion, Path::flow, From::known, Angle::drawn>,
+     .trains = true,
+     .needs = Needs::impact_rate},
     {.name = "oracle",
      .kind = Kind::ceiling,
      .what = "real windows instead of generated ones",

@@ -6,7 +6,6 @@
 
 #include "augment/healthy_model.hpp"
 #include "base/error.hpp"
-#include "diffusion/training.hpp"
 #include "seam/libtorch.hpp"
 #include "signal/amplitude.hpp"
 
@@ -26,8 +25,9 @@ diffusion::MakeDiffusionBackend diffusion_backend(const Compute& compute) {
 
 }  // namespace
 
-Diffusion::Diffusion(diffusion::Path path, From from)
+Diffusion::Diffusion(diffusion::Path path, From from, diffusion::Angle angle)
     : from_(from),
+      angle_(angle),
       options_(path == diffusion::Path::flow ? diffusion::flow_defaults
                                              : diffusion::ddpm_defaults) {}
 
@@ -54,7 +54,7 @@ void Diffusion::train(const signal::WindowSet& known, const Stream& stream, cons
   } else {
     sizes = {options_.size};
   }
-  lessons.push_back(lesson_of(known, rms, options_.angle, options_.course));
+  lessons.push_back(lesson_of(known, rms, angle_, options_.course));
   diffusion::DiffusionModel described{
       .info = known.info,
       .path = options_.path,

@@ -4,6 +4,7 @@
 
 #include "augment/method.hpp"
 #include "diffusion/options.hpp"
+#include "diffusion/training.hpp"
 
 namespace piae::augment {
 
@@ -11,12 +12,14 @@ namespace piae::augment {
 /// matching: Lipman et al. 2023), with the class as a condition, from the known windows; and
 /// `ddpm-healthy`, whose network first learns the healthy windows and then stays as it is, while a
 /// small second one learns what a fault changes (as FaultDiffusion, arXiv 2511.15174, keeps a model
-/// of normal data and adapts it). pipeline/protocol.toml gives the source of each setting.
+/// of normal data and adapts it). `ddpm-angle`, `ddpm-healthy-angle` and `flow-angle` are the same
+/// with each known window read as its fault cycle from a random angle, as `piae-dt-phase` draws it.
+/// pipeline/protocol.toml gives the source of each setting.
 class Diffusion final : public Method {
  public:
   enum class From { known, healthy };
 
-  Diffusion(diffusion::Path path, From from);
+  Diffusion(diffusion::Path path, From from, diffusion::Angle angle);
 
   [[nodiscard]] bool needs_libtorch(const Compute& compute) const override;
   void use_healthy(const signal::WindowSet& healthy) override { healthy_ = healthy; }
@@ -28,6 +31,7 @@ class Diffusion final : public Method {
 
  private:
   From from_;
+  diffusion::Angle angle_;
   diffusion::DiffusionOptions options_;
   diffusion::HealthyOptions healthy_options_;
   std::optional<signal::WindowSet> healthy_;

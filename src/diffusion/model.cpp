@@ -60,6 +60,34 @@ std::vector<DenoiserSize> read_sizes(const artefact::Reader& reader) {
   return sizes;
 }
 
+/// Returns v(class) + w (v(class) - v(no class)) for windows x [n, N] at u.
+std::vector<float> guided_velocity(const DiffusionModel& model, DiffusionBackend& backend,
+                                   Label label, const std::vector<float>& x, double u) {
+  const std::size_t n = x.size() / static_cast<std::size_t>(model.samples());
+  NoisyBatch batch{.windows = x,
+                   .u = std::vector<double>(n, u),
+                   .labels = std::vector<std::optional<Label>>(n, label)};
+  std::vector<float> velocity = backend.velocities(batch, model.networks.size());
+  if (model.guidance > 0) {
+    const auto guidance = static_cast<float>(model.guidance);
+    batch.labels.assign(n, std::nullopt);
+    const std::vector<float> untold = backend.velocities(batch, model.networks.size());
+    for (std::size_t i = 0; i < velocity.size(); ++i) {
+      velocity[i] += guidance * (velocity[i] - untold[i]);
+    }
+  }
+  return velocity;
+}
+
+std::vector<float> moved(const std::vector<float>& x, const std::vector<float>& velocity,
+                         const Move& move) {
+  std::vector<float> there(x.size());
+  std::ranges::transform(x, velocity, there.begin(), [&](float at, float v) {
+    return static_cast<float>(move.of_x) * at + static_cast<float>(move.of_velocity) * v;
+  });
+  return there;
+}
+
 }  // namespace
 
 Networks networks_of(std::int64_t samples, std::int64_t classes,
@@ -107,28 +135,20 @@ DiffusionModel read_diffusion_model(const artefact::Reader& reader) {
 
 std::vector<float> follow(const DiffusionModel& model, DiffusionBackend& backend, Label label,
                           std::vector<float> noise) {
-  const auto n = noise.size() / static_cast<std::size_t>(model.samples());
-  NoisyBatch batch{.windows = std::move(noise), .u = std::vector<double>(n), .labels = {}};
-  const auto guidance = static_cast<float>(model.guidance);
+  std::vector<float> x = std::move(noise);
   for (int step = model.steps; step > 0; --step) {
     const double here = static_cast<double>(step) / model.steps;
-    const Move move = move_between(model.path, here, static_cast<double>(step - 1) / model.steps);
-    std::ranges::fill(batch.u, here);
-    batch.labels.assign(n, label);
-    std::vector<float> velocity = backend.velocities(batch, model.networks.size());
-    if (guidance > 0) {
-      batch.labels.assign(n, std::nullopt);
-      const std::vector<float> untold = backend.velocities(batch, model.networks.size());
-      for (std::size_t i = 0; i < velocity.size(); ++i) {
-        velocity[i] += guidance * (velocity[i] - untold[i]);
-      }
+    const double next = static_cast<double>(step - 1) / model.steps;
+    std::vector<float> velocity = guided_velocity(model, backend, label, x, here);
+    if (model.path == Path::flow) {
+      const double middle = (here + next) / 2;
+      const std::vector<float> x_middle =
+          moved(x, velocity, move_between(model.path, here, middle));
+      velocity = guided_velocity(model, backend, label, x_middle, middle);
     }
-    for (std::size_t i = 0; i < velocity.size(); ++i) {
-      batch.windows[i] = static_cast<float>(move.of_x) * batch.windows[i] +
-                         static_cast<float>(move.of_velocity) * velocity[i];
-    }
+    x = moved(x, velocity, move_between(model.path, here, next));
   }
-  return batch.windows;
+  return x;
 }
 
 signal::WindowSet generate(const artefact::Reader& stored, std::size_t count, const Stream& stream,

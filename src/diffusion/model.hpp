@@ -39,7 +39,8 @@ void write(artefact::Writer& writer, const DiffusionModel& model);
 DiffusionModel read_diffusion_model(const artefact::Reader& reader);
 
 /// Follows the path from noise [n, N] at u = 1 to windows [n, N] of a class, in equal steps of u,
-/// by the velocities of the back end.
+/// by the velocities of the back end: for `diffusion` by steps of DDIM, for `flow` by the midpoint
+/// rule, which asks for two velocities in each step.
 std::vector<float> follow(const DiffusionModel& model, DiffusionBackend& backend, Label label,
                           std::vector<float> noise);
 

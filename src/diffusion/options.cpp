@@ -27,9 +27,6 @@ void bind(const cli::Options& command, DiffusionOptions& o) {
   command.add("--guidance", o.guidance, "weight of classifier-free guidance; 0: none")
       .check(cli::non_negative_number());
   command.add("--steps", o.steps, "steps from noise to a window").check(cli::whole_number(1, 1000));
-  command.choose<Angle>(
-      "--angle", o.angle, {{"known", Angle::known}, {"drawn", Angle::drawn}},
-      "start of a known window: as recorded, or a random angle of its fault cycle");
 }
 
 void bind(const cli::Options& command, HealthyOptions& o) {

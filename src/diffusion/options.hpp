@@ -13,12 +13,6 @@ struct Course {
   double learning_rate = 0;  ///< of Adam, at the start; falls as half a cosine
 };
 
-/// The start of a known window in a step of the training.
-enum class Angle {
-  known,  ///< as recorded
-  drawn   ///< the window's fault cycle, read from a random start (phase/class_cycle.hpp)
-};
-
 /// Settings of a diffusion or flow model.
 struct DiffusionOptions {
   Path path = Path::diffusion;
@@ -27,7 +21,6 @@ struct DiffusionOptions {
   double dropped = 0;   ///< share of windows whose class is not told, for guidance
   double guidance = 0;  ///< w of classifier-free guidance (Ho and Salimans 2022, eq. 6)
   int steps = 0;        ///< of the way from noise to a window
-  Angle angle = Angle::known;
 };
 
 inline constexpr DiffusionOptions ddpm_defaults{
@@ -36,16 +29,14 @@ inline constexpr DiffusionOptions ddpm_defaults{
     .size = {.channels = 48, .blocks = 6},
     .dropped = 0.1,  // Ho and Salimans 2022
     .guidance = 0,
-    .steps = 50,
-    .angle = Angle::known};
+    .steps = 50};
 inline constexpr DiffusionOptions flow_defaults{
     .path = Path::flow,
     .course = {.epochs = 2000, .batch = 45, .learning_rate = 2e-3},
     .size = {.channels = 48, .blocks = 6},
     .dropped = 0.1,
     .guidance = 0,
-    .steps = 8,
-    .angle = Angle::known};
+    .steps = 8};
 
 /// Settings of a model that learns the healthy windows first.
 struct HealthyOptions {

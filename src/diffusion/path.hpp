@@ -27,7 +27,7 @@ Point point_at(Path path, double u);
 
 /// Factors of x' = of_x x + of_velocity v, the point at another u by the velocity here: for
 /// `diffusion` the deterministic step of DDIM (Song, Meng and Ermon 2021, eq. 12 with sigma = 0),
-/// for `flow` one of Euler's method.
+/// for `flow` a straight line.
 struct Move {
   double of_x;
   double of_velocity;

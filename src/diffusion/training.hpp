@@ -14,6 +14,12 @@
 
 namespace piae::diffusion {
 
+/// The start of a known window in a step of the training.
+enum class Angle {
+  known,  ///< as recorded
+  drawn   ///< the window's fault cycle, read from a random start (phase/class_cycle.hpp)
+};
+
 /// Windows that a network learns from, and how long.
 struct Lesson {
   std::vector<float> windows;  ///< [n, N], each without its mean, in units of its class's RMS

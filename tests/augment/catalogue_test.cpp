@@ -142,7 +142,8 @@ TEST(Catalogue, RefusesAMethodIfTheDescriptionLacksWhatItNeeds) {
       "does not give; use a method that does not need it: smote, vae, wgan-gp, ae, strike-twin, "
       "piae-dt-zero, oversample, shift, mixup, aligned-mixup, spectral, adasyn, borderline-smote, "
       "resample, "
-      "randomise, healthy-plus-impulses, ddpm, ddpm-healthy, flow, oracle");
+      "randomise, healthy-plus-impulses, ddpm, ddpm-angle, ddpm-healthy, "
+      "ddpm-healthy-angle, flow, flow-angle, oracle");
   EXPECT_EQ(refusal("piae-dt-zero"), "");
   info.classes[1].defect = signal::Defect::other;
   EXPECT_EQ(

@@ -81,6 +81,16 @@ TEST(FollowedPath, CarriesNoiseToTheLawOfTheData) {
   }
 }
 
+// Euler's method would miss by up to 0.3.
+TEST(FollowedPath, OfAFlowNeedsOnlyEightSteps) {
+  const std::vector<float> noise = normal_noise(2 * 64);
+  NormalLaw law(Path::flow, {0, 1.5, -2}, 0.6);
+  const std::vector<float> made = follow(example_model(Path::flow, 8), law, 1, noise);
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    EXPECT_NEAR(made[i], 1.5 + 0.6 * noise[i], 0.03) << i;
+  }
+}
+
 // Guidance moves the mean from that of all windows (0) past that of the class.
 TEST(FollowedPath, GoesBeyondTheClassWithGuidance) {
   NormalLaw law(Path::flow, {0, 1.5, -2}, 0.6);
