@@ -14,5 +14,6 @@ struct RunOptions {
 };
 
 void bind(const cli::Options& command, RunOptions& options);
+void bind(const cli::Options& command, Compute& compute);
 
 }  // namespace piae::cli

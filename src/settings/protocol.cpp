@@ -10,6 +10,7 @@
 #include "cli/toml_options.hpp"
 #include "settings/groups.hpp"
 #include "settings/lists.hpp"
+#include "settings/method_options.hpp"
 #include "settings/points.hpp"
 #include "settings/sweeps.hpp"
 
@@ -53,6 +54,22 @@ void require_likeness(const std::filesystem::path& file, const toml::table& prot
   }
 }
 
+/// Refuses settings that the training of a method refuses.
+void require_method_options(const std::filesystem::path& file, const toml::table& table,
+                            const std::string& method) {
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (node.is_table() || name == "like") continue;
+    for (const std::string& value : cli::values_of(node)) {
+      const std::string refusal = refusal_of(method, {.factor = name, .value = value});
+      if (!refusal.empty()) {
+        refuse(file, node,
+               fmt::format("train.{}.{} is {}, which {}", method, name, value, refusal));
+      }
+    }
+  }
+}
+
 /// Checks the tables of methods in [train], which must not contain tables.
 void require_methods(const std::filesystem::path& file, const toml::table& protocol,
                      const toml::table& train) {
@@ -61,6 +78,7 @@ void require_methods(const std::filesystem::path& file, const toml::table& proto
     const std::string method(key.str());
     require_known_tables(file, *node.as_table(), "train." + method + ".", {});
     require_likeness(file, protocol, method, node);
+    require_method_options(file, *node.as_table(), method);
   }
 }
 

@@ -7,11 +7,11 @@
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
 #include "base/numbers.hpp"
-#include "cli/setting.hpp"
 #include "cli/toml_options.hpp"
 #include "diagnosis/catalogue.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "settings/lists.hpp"
+#include "settings/method_options.hpp"
 #include "settings/points.hpp"
 
 namespace piae::settings {
@@ -47,12 +47,8 @@ void require_options(const std::filesystem::path& file, const toml::array& point
   for (const toml::node& node : points) {
     const auto word = node.value_or<std::string>("");
     const Point point = *parse_point(word);
-    const auto made = augment::make_method(method);
-    const auto bind = [&](const cli::Options& options) { made->bind(options); };
-    const std::string refusal = cli::refusal_of(bind, point.factor, point.value);
-    if (!refusal.empty()) {
-      refuse(file, node, holds(list, word, fmt::format(", which {} refuses: {}", method, refusal)));
-    }
+    const std::string refusal = refusal_of(method, point);
+    if (!refusal.empty()) refuse(file, node, holds(list, word, ", which " + refusal));
   }
 }
 

@@ -152,6 +152,18 @@ TEST(Protocol, RefusesARequestedGroupWithAnUnknownDataset) {
   EXPECT_NO_THROW(require_datasets(protocol, "a", project.folder.path()));
 }
 
+TEST(Protocol, RefusesSettingsThatTheMethodRefuses) {
+  EXPECT_THAT(Project("[train.flow]\nsteps = 8\nlatent = 20\n").refusal(),
+              HasSubstr("protocol.toml, line 3: train.flow.latent is 20, which flow refuses: there "
+                        "is no option --latent"));
+  EXPECT_THAT(
+      Project("[train.smote]\nneighbours = 0\n").refusal(),
+      HasSubstr("line 2: train.smote.neighbours is 0, which smote refuses: --neighbours: "));
+  EXPECT_THAT(Project("[train.ae]\nlike = \"piae-dt\"\n[train.piae-dt]\nbackend = \"libtorch\"\n")
+                  .refusal(),
+              "not refused");
+}
+
 TEST(Protocol, RefusesSweepPointsThatTheMethodRefuses) {
   EXPECT_THAT(Project("[sweep]\npoints = [\"batch=1\",\n\"batches=mixd\"]\n").refusal(),
               AllOf(HasSubstr("protocol.toml, line 3: sweep.points holds 'batches=mixd'"),
