@@ -56,17 +56,23 @@ int main(int argc, char** argv) {
   run::GridOptions options{};
   fs::path run_folder;
   fs::path published_folder;
+  fs::path costs_file;
   std::vector<std::string> leave_out;
   stage.options().add("--dataset", options.dataset, "Data set, such as cwru").required();
   run::bind_started_cells(stage.options(), options);
   run::bind_leave_out(stage.options(), leave_out);
   stage.input_file("--run", run_folder, "Folder of the run, such as results/try");
   stage.input_file("--published", published_folder, "Folder of the paper's tables as CSV");
+  stage
+      .input_file("--costs", costs_file,
+                  "processor time of steps, jobs/costs.csv, for the figure cost")
+      .required(false);
 
   return stage.run(argc, argv, [&] {
     const run::Layout layout(run_folder, options.dataset);
-    figures::Source source(layout, requested_cells(layout, options),
-                           report::Published(published_folder), leave_out);
+    figures::Source source(
+        layout, requested_cells(layout, options), report::Published(published_folder), leave_out,
+        costs_file.empty() ? std::vector<run::StepCost>{} : run::read_costs(costs_file));
     std::size_t written = 0;
     for (const figures::Figure& figure : figures::catalogue()) written += save(source, figure);
     const std::string left_out = report::left_out_line(source.results());

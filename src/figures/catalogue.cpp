@@ -1,6 +1,7 @@
 #include "figures/catalogue.hpp"
 
 #include "figures/confusion.hpp"
+#include "figures/cost.hpp"
 #include "figures/critical_difference.hpp"
 #include "figures/curves.hpp"
 #include "figures/feature_maps.hpp"
@@ -49,6 +50,15 @@ constexpr Figure figures[] = {
                 "for the data set named in the key.",
      .from = "seed*/<method>/<ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = accuracies},
+    {.name = "cost",
+     .paper = "",
+     .title = "Accuracy by the cost of the generator",
+     .caption = "With the most generated windows: accuracy, with its 95 % interval over the seeds, "
+                "by the processor time of training a generator for one seed and generating its "
+                "windows, as measured in an earlier run (jobs/costs.csv). The line joins methods "
+                "to which no other is preferable: none is at least as accurate in less time.",
+     .from = "seed*/<method>/<last ratio>/<classifier>/diagnosis.h5, /predictions",
+     .accuracies = costs_of_accuracy},
     {.name = "paired-differences",
      .paper = "",
      .title = "Each method against the method of interest, paired by seed",

@@ -17,12 +17,13 @@ void require_whole(const run::Results& results) {
 }
 
 Source::Source(run::Layout layout, run::Grid requested, report::Published published,
-               const std::vector<std::string>& leave_out)
+               const std::vector<std::string>& leave_out, std::vector<run::StepCost> costs)
     : layout_(std::move(layout)),
       requested_(std::move(requested)),
       held_(layout_, leave_out),
       grid_(held_grid(layout_, requested_, held_)),
-      published_(std::move(published)) {
+      published_(std::move(published)),
+      costs_(std::move(costs)) {
   if (grid_.combinations.empty()) {
     throw Error(Exit::input_missing,
                 layout_.folder().string() +

@@ -6,6 +6,7 @@
 #include "artefact/reader.hpp"
 #include "report/accuracies.hpp"
 #include "run/held.hpp"
+#include "run/step_costs.hpp"
 #include "scoring/diagnosis_record.hpp"
 
 namespace piae::figures {
@@ -30,7 +31,7 @@ class Source {
   /// Opens a run; `leave_out` lists stale files, as for run::Held. Throws Error(input_missing) if
   /// no cell is requested and none exists.
   Source(run::Layout layout, run::Grid requested, report::Published published,
-         const std::vector<std::string>& leave_out = {});
+         const std::vector<std::string>& leave_out = {}, std::vector<run::StepCost> costs = {});
 
   [[nodiscard]] const run::Layout& layout() const { return layout_; }
   /// Returns the grid of the cells with the paper's classifier; not every combination has every
@@ -49,6 +50,9 @@ class Source {
   /// Returns the methods that infer stiffness and damping and have a model of the shown seed, in
   /// the order of the grid. Never empty.
   [[nodiscard]] std::vector<std::string> inferring_methods() const;
+
+  /// Returns the costs of steps in an earlier run; empty if none were given.
+  [[nodiscard]] const std::vector<run::StepCost>& costs() const { return costs_; }
 
   /// Returns all readable diagnoses, the errors of the others, and what is left out.
   const run::Results& results();
@@ -75,6 +79,7 @@ class Source {
   run::Held held_;
   run::Grid grid_;
   report::Published published_;
+  std::vector<run::StepCost> costs_;
   std::optional<run::Collected> diagnoses_;
   std::optional<std::vector<report::ClassifierRows>> accuracies_;
   std::optional<std::vector<scoring::QualityRecord>> qualities_;

@@ -6,10 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "base/error.hpp"
-#include "base/numbers.hpp"
-#include "plan/words.hpp"
-#include "text/lines.hpp"
+#include "run/step_costs.hpp"
 
 namespace piae::plan {
 
@@ -48,23 +45,13 @@ void Costs::learn(const std::string& stage, const Place& place, const Cost& cost
 
 Costs Costs::read(const std::filesystem::path& file) {
   Costs costs;
-  std::size_t number = 0;
-  for (const std::string& line : text::read_lines(file)) {
-    ++number;
-    if (line.empty() || line.starts_with('#') || line.starts_with("stage,")) continue;
-    const Words fields = fields_of(line, ',');
-    const auto seconds = fields.size() == 7 ? number_in<double>(fields[5]) : std::nullopt;
-    const auto megabytes = fields.size() == 7 ? number_in<double>(fields[6]) : std::nullopt;
-    if (!seconds || !megabytes) {
-      throw Error(Exit::bad_input,
-                  fmt::format("{}, line {}: must be stage,dataset,method,classifier,ratio,seconds,"
-                              "megabytes",
-                              file.string(), number));
-    }
-    costs.learn(
-        fields[0],
-        {.dataset = fields[1], .method = fields[2], .ratio = fields[4], .classifier = fields[3]},
-        {.seconds = *seconds, .megabytes = *megabytes});
+  for (const run::StepCost& cost : run::read_costs(file)) {
+    costs.learn(cost.stage,
+                {.dataset = cost.dataset,
+                 .method = cost.method,
+                 .ratio = cost.ratio,
+                 .classifier = cost.classifier},
+                {.seconds = cost.seconds, .megabytes = cost.megabytes});
   }
   return costs;
 }

@@ -18,9 +18,7 @@ struct Cost {
 /// Costs of steps in earlier runs, by stage, data set, method, classifier and ratio.
 class Costs {
  public:
-  /// Reads a table such as jobs/costs.csv: stage,dataset,method,classifier,ratio,seconds,megabytes.
-  /// Skips lines that begin with #. Throws Error(bad_input), with the line, for a malformed line,
-  /// and Error(input_missing) if the file does not exist.
+  /// Reads a table such as jobs/costs.csv. Throws as run::read_costs() does.
   static Costs read(const std::filesystem::path& file);
 
   void learn(const std::string& stage, const Place& place, const Cost& cost);

@@ -68,7 +68,8 @@ void LookSteps::numbers() {
     }
     Step step{.stage = "figures",
               .folder = folder,
-              .inputs = {input_of_published(tables_.disk())},
+              .inputs = {input_of_published(tables_.disk()),
+                         {.role = "costs", .files = {"jobs/costs.csv"}}},
               .words = {"--run", grid_.folder(), "--dataset", dataset.name},
               .place = {.dataset = dataset.name},
               .tables_folder = folder + "/figures"};
