@@ -22,13 +22,12 @@ struct Priced {
 std::vector<Priced> priced(const Source& source, const std::vector<AccuracyRow>& rows) {
   std::vector<Priced> all;
   for (const AccuracyRow& row : rows) {
-    const auto seconds =
-        run::generator_seconds(source.costs(), source.layout().dataset(), row.method);
+    const auto seconds = run::generator_seconds(source.costs(), row.dataset, row.method);
     if (!seconds || augment::is_ceiling(row.method)) continue;
     const auto same = std::ranges::find_if(
         all, [&](const Priced& each) { return each.row->method == row.method; });
     if (same == all.end()) {
-      all.push_back({&row, *seconds});
+      all.push_back({.row = &row, .generator_s = *seconds});
     } else if (row.generated_per_class > same->row->generated_per_class) {
       same->row = &row;
     }

@@ -39,7 +39,6 @@ const std::string small_diffusion =
 const Case ddpm{"ddpm", small_diffusion};
 const Case ddpm_healthy{"ddpm-healthy", small_diffusion + " --healthy-epochs 2 --change-blocks 1"};
 const Case flow{"flow", small_diffusion};
-const Case ddpm_angle{"ddpm-angle", small_diffusion};
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
   std::string name = info.param.method;
@@ -63,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Augment, GeneratingMethod,
                          testing::Values(dynamics, physics, smote, oversample, shift, mixup,
                                          aligned_mixup, spectral, adasyn, borderline_smote,
                                          resample, randomise, strike_twin, piae_dt_zero,
-                                         healthy_plus_impulses, vae, wgan_gp, ddpm, ddpm_angle,
-                                         ddpm_healthy, flow),
+                                         healthy_plus_impulses, vae, wgan_gp, ddpm, ddpm_healthy,
+                                         flow),
                          name_of);
 
 TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
@@ -78,8 +77,8 @@ TEST_P(GeneratingMethod, MakesWindowsOfEveryFaultClassInOrder) {
 
 TEST_P(GeneratingMethod, HasParentsOfTheSameClassOrNone) {
   const std::vector<std::string> without{
-      "dynamics", "physics", "piae-dt-zero", "healthy-plus-impulses", "vae",
-      "wgan-gp",  "ddpm",    "ddpm-angle",   "ddpm-healthy",          "flow"};
+      "dynamics", "physics",      "piae-dt-zero", "healthy-plus-impulses", "vae", "wgan-gp",
+      "ddpm",     "ddpm-healthy", "flow"};
   const signal::WindowSet windows = generate(GetParam().method, model("model.h5"), 12);
   const bool records_parents = std::ranges::find(without, GetParam().method) == without.end();
   ASSERT_EQ(windows.parents.size(), records_parents ? windows.size() : 0);
@@ -133,8 +132,7 @@ TEST_P(GeneratingMethod, KeepsTheUnitOfTheRecordings) {
 /// Methods trained in epochs.
 class TrainedMethod : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Augment, TrainedMethod,
-                         testing::Values(vae, wgan_gp, ddpm, ddpm_angle, ddpm_healthy, flow),
-                         name_of);
+                         testing::Values(vae, wgan_gp, ddpm, ddpm_healthy, flow), name_of);
 
 TEST_P(TrainedMethod, ContinuedTrainingEqualsAnUninterruptedOne) {
   const std::string uncut = bytes_of(trained(GetParam(), "uncut.h5", checkpoint_at("uncut")));
