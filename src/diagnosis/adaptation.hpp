@@ -2,8 +2,9 @@
 
 namespace piae::diagnosis {
 
-/// How a classifier adapts to unlabelled windows of the tested condition: it also learns features
-/// by which a domain classifier (domain_classifier.hpp) cannot tell them from labelled windows.
+/// Adaptation of a classifier to unlabelled windows of the tested condition: it also learns
+/// features by which a domain classifier (domain_classifier.hpp) cannot tell them from labelled
+/// windows.
 enum class Adaptation {
   none,
   marginal,    ///< DANN: that classifier sees the hidden units (Ganin et al. 2016)

@@ -13,14 +13,14 @@ namespace piae::diagnosis {
 signal::WindowSet without_labels(const signal::WindowSet& normal, const signal::WindowSet& hidden);
 
 inline constexpr Classifier dann{.name = "dann",
-                                 .what = "the same network, adapted to unlabelled windows of D",
-                                 .input = both_spectra,
-                                 .represent = both_log_spectra,
+                                 .what = "wdcnn-orders, adapted to unlabelled windows of D",
+                                 .input = wdcnn_orders.input,
+                                 .represent = wdcnn_orders.represent,
                                  .adaptation = Adaptation::marginal};
 inline constexpr Classifier cdan{.name = "cdan",
                                  .what = "the same, class by class",
-                                 .input = both_spectra,
-                                 .represent = both_log_spectra,
+                                 .input = wdcnn_orders.input,
+                                 .represent = wdcnn_orders.represent,
                                  .adaptation = Adaptation::conditional};
 
 }  // namespace piae::diagnosis

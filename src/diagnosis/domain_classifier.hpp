@@ -24,7 +24,7 @@ class DomainClassifier {
   DomainClassifier(Adaptation adaptation, std::int64_t classes, std::int64_t most_windows,
                    const Stream& initial);
 
-  /// What WDCNN makes of a batch: a row for each window, first those with a label.
+  /// Output of WDCNN for a batch: a row for each window, first those with a label.
   struct Batch {
     nets::Rows<const T> hidden;
     nets::Rows<const T> logits;

@@ -18,7 +18,7 @@ struct Inputs {
   signal::WindowSet normal;                              ///< B
   signal::WindowSet known;                               ///< C
   std::optional<signal::WindowSet> generated;            ///< E
-  std::optional<signal::WindowSet> unlabelled;           ///< D, for a classifier that adapts
+  std::optional<signal::WindowSet> unlabelled = {};      ///< D, for a classifier that adapts
   std::string method = "none";                           ///< the method that generated E
   signal::Protocol protocol = signal::Protocol::random;  ///< protocol of the split
 };

@@ -31,9 +31,6 @@ LabelledWindows both_log_spectra(const signal::WindowSet& windows, const std::st
 /// lines keep their order. Throws also as require_speeds() does.
 LabelledWindows spectra_by_order(const signal::WindowSet& windows, const std::string& what);
 
-inline constexpr const char* both_spectra =
-    "the log amplitude spectrum and the log envelope spectrum";
-
 inline constexpr Classifier wdcnn{.name = scoring::paper_classifier,
                                   .what = "the paper's network",
                                   .input = "the waveform",
@@ -46,10 +43,11 @@ inline constexpr Classifier wdcnn_envelope{.name = "wdcnn-envelope",
                                            .what = "the same network on envelope spectra",
                                            .input = "the log envelope spectrum",
                                            .represent = log_envelope_spectra};
-inline constexpr Classifier wdcnn_spectra{.name = "wdcnn-spectra",
-                                          .what = "the same network on both spectra side by side",
-                                          .input = both_spectra,
-                                          .represent = both_log_spectra};
+inline constexpr Classifier wdcnn_spectra{
+    .name = "wdcnn-spectra",
+    .what = "the same network on both spectra side by side",
+    .input = "the log amplitude spectrum and the log envelope spectrum",
+    .represent = both_log_spectra};
 inline constexpr Classifier wdcnn_orders{
     .name = "wdcnn-orders",
     .what = "the same network on the spectrum and, over shaft orders, the envelope spectrum",

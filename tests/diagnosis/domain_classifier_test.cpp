@@ -1,4 +1,5 @@
-// The domain classifier, and the network against it, beside finite differences in double precision.
+// Compares the gradients of the domain classifier, and of the network against it, with finite
+// differences in double precision.
 
 #include "diagnosis/domain_classifier.hpp"
 
@@ -19,9 +20,12 @@ namespace {
 using Domains = DomainClassifier<double>;
 using Network = WdcnnNetwork<double>;
 
-constexpr std::int64_t classes = 3;
-constexpr std::int64_t windows = 6;
-constexpr std::int64_t labelled = 3;
+/// The batch of these tests.
+struct Shape {
+  static constexpr std::int64_t classes = 3;
+  static constexpr std::int64_t windows = 6;
+  static constexpr std::int64_t labelled = 3;
+};
 constexpr double reversal = 0.7;
 
 /// Hidden units and logits of a batch, as WDCNN holds them.
@@ -34,32 +38,34 @@ struct Example {
   [[nodiscard]] Domains::Batch batch() const {
     return {.hidden = {hidden.data(), 104},
             .logits = {logits.data(), 8},
-            .windows = windows,
-            .labelled = labelled};
+            .windows = Shape::windows,
+            .labelled = Shape::labelled};
   }
-  std::vector<double> hidden = std::vector<double>(windows * 104);
-  std::vector<double> logits = std::vector<double>(windows * 8);
+  std::vector<double> hidden = std::vector<double>(Shape::windows * 104);
+  std::vector<double> logits = std::vector<double>(Shape::windows * 8);
 };
 
 class DomainClassifierOf : public testing::TestWithParam<Adaptation> {
  protected:
-  [[nodiscard]] static Domains make() { return {GetParam(), classes, windows, Stream("domains")}; }
+  [[nodiscard]] static Domains make() {
+    return {GetParam(), Shape::classes, Shape::windows, Stream("domains")};
+  }
 };
 
 /// Returns the loss of a batch, and the reversed gradient if it is wanted.
 double loss_of(Domains domains, const Domains::Batch& batch, std::vector<double>* gradient = {}) {
-  std::vector<double> unused(windows * 112);
+  std::vector<double> unused(Shape::windows * 112);
   std::vector<double>& to = gradient == nullptr ? unused : *gradient;
   return domains.step(batch, 1e-3, reversal, {to.data(), batch.hidden.stride});
 }
 
 TEST_P(DomainClassifierOf, ReversesTheGradientByHiddenUnits) {
   Example example;
-  std::vector<double> gradient(windows * 104);
+  std::vector<double> gradient(Shape::windows * 104);
   loss_of(make(), example.batch(), &gradient);
   Stream stream("places");
   for (int sample = 0; sample < 30; ++sample) {
-    const std::size_t i = stream.below(windows) * 104 + stream.below(100);
+    const std::size_t i = stream.below(Shape::windows) * 104 + stream.below(100);
     const double slope = central_difference(example.hidden[i], 1e-6,
                                             [&] { return loss_of(make(), example.batch()); });
     EXPECT_NEAR(gradient[i], -reversal * slope, 1e-9 + 1e-6 * std::abs(slope)) << i;
@@ -71,7 +77,7 @@ TEST_P(DomainClassifierOf, GradientByItsOwnWeightsEqualsFiniteDifferences) {
   using Kept = nets::Parameters<double>::Kept;
   const Example example;
   Domains stepped = make();
-  std::vector<double> unused(windows * 104);
+  std::vector<double> unused(Shape::windows * 104);
   stepped.step(example.batch(), 1e-3, reversal, {unused.data(), 104});
   Stream stream("weights");
   for (const nets::Parameters<double>::Parameter& parameter : stepped.parameters().parameters()) {
@@ -96,19 +102,19 @@ TEST_P(DomainClassifierOf, GradientByItsOwnWeightsEqualsFiniteDifferences) {
 // The whole: the cross-entropy of the labelled windows, minus the weighted loss of the domain
 // classifier, whose class probabilities are constants.
 TEST_P(DomainClassifierOf, NetworkFollowsBothLosses) {
-  const RandomBatch batch = random_batch(windows, 1024, classes, "windows");
-  const auto labels = std::span(batch.labels).first(labelled);
-  Network network(1024, classes, windows, Stream("network"));
+  const RandomBatch batch = random_batch(Shape::windows, 1024, Shape::classes, "windows");
+  const auto labels = std::span(batch.labels).first(Shape::labelled);
+  Network network(1024, Shape::classes, Shape::windows, Stream("network"));
   const auto seen = [&](const std::vector<double>& logits) {
     return Domains::Batch{.hidden = {network.hidden(), network.hidden_row()},
                           .logits = {logits.data(), network.logits_row()},
-                          .windows = windows,
-                          .labelled = labelled};
+                          .windows = Shape::windows,
+                          .labelled = Shape::labelled};
   };
   const auto forward = [&] { return network.forward(batch.windows, Network::Mode::training); };
   const double* const first = forward();
-  const std::vector<double> logits(first, first + windows * network.logits_row());
-  std::vector<double> by_hidden(static_cast<std::size_t>(windows * network.hidden_row()));
+  const std::vector<double> logits(first, first + Shape::windows * network.logits_row());
+  std::vector<double> by_hidden(static_cast<std::size_t>(Shape::windows * network.hidden_row()));
   loss_of(make(), seen(logits), &by_hidden);
   network.backward(labels, by_hidden);
   const std::vector<double> gradients(network.gradients().begin(), network.gradients().end());
@@ -116,7 +122,7 @@ TEST_P(DomainClassifierOf, NetworkFollowsBothLosses) {
   const auto loss = [&] {
     forward();
     const double domain_loss = loss_of(make(), seen(logits));
-    return network.backward(labels).loss / labelled - reversal * domain_loss;
+    return network.backward(labels).loss / Shape::labelled - reversal * domain_loss;
   };
   Stream stream("parameters");
   for (const WdcnnParameter& parameter : network.layout()) {
@@ -140,15 +146,15 @@ TEST_P(DomainClassifierOf, AGuessCostsOneBit) {
                 parameter.rows * parameter.held_columns, 0.0);
   }
   const Example example;
-  std::vector<double> unused(windows * 104);
+  std::vector<double> unused(Shape::windows * 104);
   EXPECT_DOUBLE_EQ(domains.step(example.batch(), 1e-3, 1, {unused.data(), 104}), std::log(2.0));
 }
 
 TEST_P(DomainClassifierOf, LearnsToTellDomainsApartWithoutOverflow) {
   Domains domains = make();
   Example example;
-  for (std::size_t i = 0; i < labelled * 104; ++i) example.hidden[i] += 1e4;
-  std::vector<double> gradient(windows * 104);
+  for (std::size_t i = 0; i < Shape::labelled * 104; ++i) example.hidden[i] += 1e4;
+  std::vector<double> gradient(Shape::windows * 104);
   double loss = 0;
   for (int i = 0; i < 200; ++i) {
     loss = domains.step(example.batch(), 1e-3, 1, {gradient.data(), 104});
@@ -176,7 +182,7 @@ TEST(Adversary, DrawsEachUnlabelledWindowOnceAPass) {
   for (std::size_t i = 0; i < unlabelled.size(); ++i) unlabelled[i] = static_cast<float>(i / 1024);
   Adversary adversary(
       {.adaptation = Adaptation::marginal, .unlabelled = unlabelled, .stream = Stream("order")},
-      1024, classes, 7, 2, 1e-3, Stream("initial"));
+      1024, Shape::classes, 7, 2, 1e-3, Stream("initial"));
   const std::vector<float> source(1024, -1);
   const std::vector<const float*> batch(7, source.data());
   std::vector<std::vector<float>> passes;

@@ -211,7 +211,8 @@ TEST_F(Classifiers, SymptomNetAndOrdersNeedTheSpeedOfGeneratedWindows) {
                   .status,
               0);
     ASSERT_EQ(tiny_.run_step("generate").status, 0);
-    for (const std::string name : {"symptom-net", "nearest-orders", "wdcnn-orders", "prototypes"}) {
+    for (const std::string name :
+         {"symptom-net", "nearest-orders", "wdcnn-orders", "prototypes", "dann"}) {
       const Arguments diagnose = with(diagnose_by(name), "--output", method + ".h5");
       if (method == "strike-twin") {
         (void)run_well(diagnose);
