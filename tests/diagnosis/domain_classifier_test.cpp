@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnosis/adversary.hpp"
+#include "diagnosis/expect_slopes.hpp"
 #include "diagnosis/random_batch.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "support/differences.hpp"
@@ -117,24 +118,13 @@ TEST_P(DomainClassifierOf, NetworkFollowsBothLosses) {
   std::vector<double> by_hidden(static_cast<std::size_t>(Shape::windows * network.hidden_row()));
   loss_of(make(), seen(logits), &by_hidden);
   network.backward(labels, by_hidden);
-  const std::vector<double> gradients(network.gradients().begin(), network.gradients().end());
 
   const auto loss = [&] {
     forward();
     const double domain_loss = loss_of(make(), seen(logits));
     return network.backward(labels).loss / Shape::labelled - reversal * domain_loss;
   };
-  Stream stream("parameters");
-  for (const WdcnnParameter& parameter : network.layout()) {
-    std::vector<std::int64_t> places;
-    parameter.for_each([&](std::int64_t, std::int64_t j) { places.push_back(j); });
-    for (int sample = 0; sample < 4; ++sample) {
-      const auto j = static_cast<std::size_t>(places[stream.below(places.size())]);
-      EXPECT_NEAR(gradients[j], central_difference(network.values()[j], 1e-6, loss),
-                  1e-7 + 1e-5 * std::abs(gradients[j]))
-          << parameter.spec.name;
-    }
-  }
+  expect_slopes(network, loss);
 }
 
 // By hand: equal outputs cost ln 2, whatever the windows.
