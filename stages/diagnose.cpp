@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       "windows. envelope-rule and exclusion-rule compare fault lines and spectra with the "
       "healthy windows only. any-bearing does the same with a network that teach made for all "
       "machines. symptom-net and prototypes are small networks with settings of their "
-      "own.",
+      "own. dann and cdan also see unlabelled windows of the tested condition, those of D.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::LearningSettings settings;
@@ -82,6 +82,11 @@ int main(int argc, char** argv) {
       throw Error(Exit::usage, "give --output or --keep-classifier (see diagnose --help)");
     }
     const scoring::Ratio& ratio = scoring::find_ratio(ratio_name);
+    if (classifier.adapts() && needs_libtorch(run.compute)) {
+      throw Error(Exit::usage, fmt::format("--backend, --device: {} is computed on one core only; "
+                                           "leave these options out",
+                                           classifier.name));
+    }
     if (classifier.represent != nullptr) {
       settings.make_backend = seam::wdcnn_backend(run.compute, argv);
     }

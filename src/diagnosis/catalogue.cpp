@@ -4,6 +4,7 @@
 
 #include "base/comma_list.hpp"
 #include "base/error.hpp"
+#include "diagnosis/adapting.hpp"
 #include "diagnosis/any_bearing.hpp"
 #include "diagnosis/line_rules.hpp"
 #include "diagnosis/nearest_orders.hpp"
@@ -16,8 +17,9 @@ namespace piae::diagnosis {
 namespace {
 
 constexpr Classifier known_classifiers[] = {
-    wdcnn,          wdcnn_spectrum, wdcnn_envelope, wdcnn_spectra,  nearest,    envelope_rule,
-    exclusion_rule, symptom_net,    wdcnn_orders,   nearest_orders, prototypes, any_bearing,
+    wdcnn,         wdcnn_spectrum, wdcnn_envelope, wdcnn_spectra, nearest,
+    envelope_rule, exclusion_rule, symptom_net,    wdcnn_orders,  nearest_orders,
+    prototypes,    any_bearing,    dann,           cdan,
 };
 
 }  // namespace
@@ -34,6 +36,11 @@ const Classifier& the_classifier(const std::string& name) {
   if (found != nullptr) return *found;
   throw Error(Exit::usage, "unknown classifier '" + name +
                                "'; known: " + comma_list(known_classifiers, &Classifier::name));
+}
+
+std::string marked_name(const std::string& classifier) {
+  const Classifier* const found = find_classifier(classifier);
+  return found != nullptr && found->adapts() ? classifier + " (sees D)" : classifier;
 }
 
 std::vector<std::string> rules() {

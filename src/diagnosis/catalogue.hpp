@@ -20,6 +20,10 @@ const Classifier* find_classifier(const std::string& name);
 /// is none.
 const Classifier& the_classifier(const std::string& name);
 
+/// Returns the name of a classifier for readers: "wdcnn", or "dann (sees D)" for one that adapts
+/// and so gets more than the others.
+std::string marked_name(const std::string& classifier);
+
 /// Returns the names of the rules.
 std::vector<std::string> rules();
 

@@ -12,6 +12,7 @@
 #include "artefact/writer.hpp"
 #include "base/label.hpp"
 #include "base/random.hpp"
+#include "diagnosis/adaptation.hpp"
 #include "diagnosis/standardise.hpp"
 #include "signal/window_set.hpp"
 
@@ -74,6 +75,8 @@ struct Classifier {
   /// Makes the input of a WDCNN; null for other classifiers, which have `learn` or `fit`, and
   /// `read`.
   Represent represent = nullptr;
+  /// Adaptation of a WDCNN to unlabelled windows, which others do not see: tables mark it.
+  Adaptation adaptation = Adaptation::none;
   /// True if it learns from healthy windows alone. It does not need fault windows, known or
   /// generated, and runs with `none` only.
   bool rule = false;
@@ -98,6 +101,7 @@ struct Classifier {
                                   const signal::WindowSet& normal) = nullptr;
   std::int64_t own_epochs = 0;  ///< training epochs; 0 for WDCNN and untrained classifiers
 
+  [[nodiscard]] bool adapts() const { return adaptation != Adaptation::none; }
   [[nodiscard]] bool trains() const { return represent != nullptr || own_epochs > 0; }
 };
 

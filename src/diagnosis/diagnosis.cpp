@@ -26,6 +26,16 @@ void require_fitting_options(const Task& task, const Inputs& inputs) {
                                          "option out, or choose another --classifier",
                                          classifier.name));
   }
+  if (classifier.adapts() && !inputs.unlabelled) {
+    throw Error(Exit::usage,
+                fmt::format("--classifier {} needs --unlabelled, D.h5 of split", classifier.name));
+  }
+  if (!classifier.adapts() && inputs.unlabelled) {
+    throw Error(Exit::usage,
+                fmt::format("--unlabelled: {} must not see D; leave the option out, or "
+                            "choose another --classifier",
+                            classifier.name));
+  }
   if (classifier.rule && inputs.generated) {
     throw Error(Exit::usage, fmt::format("--generated: {} is a rule and uses healthy windows "
                                          "only; leave the option out and give --ratio {}",
@@ -62,14 +72,20 @@ Lessons Diagnosis::lessons() const {
           .generated_per_class = task_.ratio.generated_per_class};
 }
 
+LearningSettings Diagnosis::settings() const {
+  LearningSettings settings = task_.settings;
+  if (inputs_.unlabelled) settings.unlabelled = &*inputs_.unlabelled;
+  return settings;
+}
+
 std::size_t Diagnosis::epochs(bool is_kept) const {
   const std::int64_t trainings = 1 + (is_kept ? trainings_to_keep(training_set_, lessons()) : 0);
   return static_cast<std::size_t>(trainings * epochs_of(task_.classifier, task_.settings.wdcnn));
 }
 
 void Diagnosis::learn(const EpochDone& epoch_done) {
-  learned_ = diagnosis::learn(task_.classifier, inputs_.normal, training_set_, task_.settings,
-                              stream_, epoch_done);
+  learned_ = diagnosis::learn(task_.classifier, inputs_.normal, training_set_, settings(), stream_,
+                              epoch_done);
 }
 
 std::optional<double> Diagnosis::windows_per_second() const {
@@ -137,8 +153,9 @@ std::string Diagnosis::write_classifier(artefact::Writer& writer, const EpochDon
 }
 
 KeptClassifier Diagnosis::keep(const EpochDone& epoch_done) {
+  const LearningSettings own = settings();
   return diagnosis::keep(task_.classifier, std::move(learned_.trained), training_set_, lessons(),
-                         {.settings = task_.settings, .stream = stream_, .epoch_done = epoch_done},
+                         {.settings = own, .stream = stream_, .epoch_done = epoch_done},
                          {.method = inputs_.method,
                           .ratio = task_.ratio.name,
                           .generated_per_class = task_.ratio.generated_per_class,

@@ -31,7 +31,8 @@ class Diagnosis {
  public:
   /// Throws as compose_training_set(), require_faults() and require_fitting_test_set() do, where
   /// `known_file` names C. Throws Error(usage) if features of a classifier without layers are
-  /// requested, for a rule with generated windows, and for prewhitening without symptoms.
+  /// requested, for a rule with generated windows, for prewhitening without symptoms, and for
+  /// unlabelled windows that are missing or not used.
   Diagnosis(Task task, Inputs inputs, const std::string& known_file);
 
   /// Returns the epochs of learn(), plus those of keep() if the classifier is to be kept.
@@ -56,6 +57,7 @@ class Diagnosis {
   [[nodiscard]] std::string summary_of(const scoring::DiagnosisRecord& record) const;
   [[nodiscard]] KeptClassifier keep(const EpochDone& epoch_done);
   [[nodiscard]] Lessons lessons() const;
+  [[nodiscard]] LearningSettings settings() const;
   [[nodiscard]] std::optional<double> windows_per_second() const;
 
   Task task_;

@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "base/range.hpp"
+#include "diagnosis/adapting.hpp"
 #include "diagnosis/any_bearing.hpp"
+#include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/wdcnn.hpp"
 #include "diagnosis/wdcnn_evaluation.hpp"
 #include "diagnosis/wdcnn_layers.hpp"
@@ -41,6 +43,16 @@ class WdcnnOfWindows final : public Trained {
   Represent represent_;
 };
 
+/// Returns the back end of a WDCNN. One that adapts also gets the windows without labels.
+MakeWdcnnBackend back_end_of(const Classifier& classifier, const signal::WindowSet& normal,
+                             const LearningSettings& settings, const Stream& stream) {
+  if (!classifier.adapts()) return settings.make_backend;
+  const signal::WindowSet windows = without_labels(normal, *settings.unlabelled);
+  return adapting_backend({.adaptation = classifier.adaptation,
+                           .unlabelled = classifier.represent(windows, "--unlabelled").samples,
+                           .stream = stream});
+}
+
 Learned fitted(const Classifier& classifier, const artefact::Reader* network,
                const signal::WindowSet& normal) {
   if (network == nullptr) {
@@ -66,8 +78,8 @@ Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
   }
   LabelledWindows shown = classifier.represent(training, "training set");
   const std::size_t length = shown.length;
-  TrainedWdcnn wdcnn =
-      train_wdcnn(std::move(shown), settings.wdcnn, own, settings.make_backend, epoch_done);
+  TrainedWdcnn wdcnn = train_wdcnn(std::move(shown), settings.wdcnn, own,
+                                   back_end_of(classifier, normal, settings, own), epoch_done);
   return {.trained = std::make_unique<WdcnnOfWindows>(std::move(wdcnn.network), length,
                                                       classifier.represent),
           .training = std::move(wdcnn.training)};

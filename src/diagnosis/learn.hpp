@@ -13,7 +13,8 @@ namespace piae::diagnosis {
 /// `training` loses the windows' positions once it holds generated windows. Random numbers come
 /// from `stream` for the paper's classifier, and from the stream's child of the classifier's name
 /// for others. Throws as train_wdcnn(), Nearest, TrainedRule, train_symptom_net() and
-/// fit_any_bearing() do, and Error(usage) without a network.
+/// fit_any_bearing() do, and Error(usage) without a network. A classifier that adapts needs
+/// `settings.unlabelled`.
 Learned learn(const Classifier& classifier, const signal::WindowSet& normal,
               const signal::WindowSet& training, const LearningSettings& settings,
               const Stream& stream, const EpochDone& epoch_done = {});

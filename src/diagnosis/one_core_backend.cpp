@@ -1,6 +1,7 @@
 #include "diagnosis/one_core_backend.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/label.hpp"
@@ -26,13 +27,22 @@ std::int64_t largest_batch(std::int64_t n, std::int64_t batch) {
 
 class OneCoreBackend final : public WdcnnBackend {
  public:
-  OneCoreBackend(LabelledWindows train, const WdcnnOptions& options, const Stream& initial)
+  /// `adversity` is null for a network that does not adapt.
+  OneCoreBackend(LabelledWindows train, const WdcnnOptions& options, const Stream& initial,
+                 const Adversity* adversity)
       : train_(std::move(train)),
         learning_rate_(options.learning_rate),
         most_windows_(largest_batch(static_cast<std::int64_t>(train_.size()), options.batch)),
         network_(static_cast<std::int64_t>(train_.length),
-                 static_cast<std::int64_t>(train_.classes), most_windows_, initial),
-        adam_(network_.values().size()) {}
+                 static_cast<std::int64_t>(train_.classes),
+                 most_windows_ * (adversity == nullptr ? 1 : 2), initial),
+        adam_(network_.values().size()) {
+    if (adversity == nullptr) return;
+    const auto windows = static_cast<std::int64_t>(train_.size());
+    const std::int64_t steps = std::ssize(batch_bounds(windows, options.batch)) - 1;
+    adversary_.emplace(*adversity, train_.length, static_cast<std::int64_t>(train_.classes),
+                       most_windows_, options.epochs * steps, options.learning_rate, initial);
+  }
 
   void begin_epoch(std::span<const std::size_t> order) override {
     windows_.clear();
@@ -47,8 +57,11 @@ class OneCoreBackend final : public WdcnnBackend {
   void step(std::int64_t begin, std::int64_t end) override {
     const auto first = static_cast<std::size_t>(begin);
     const auto count = static_cast<std::size_t>(end - begin);
-    network_.forward(std::span(windows_).subspan(first, count), Network::Mode::training);
-    const BatchOutcome batch = network_.backward(std::span(labels_).subspan(first, count));
+    const std::span<const float* const> labelled = std::span(windows_).subspan(first, count);
+    network_.forward(adversary_ ? adversary_->joined(labelled) : labelled, Network::Mode::training);
+    const BatchOutcome batch =
+        network_.backward(std::span(labels_).subspan(first, count),
+                          adversary_ ? adversary_->gradient(network_) : std::span<const float>{});
     adam_.step(network_.values().data(), network_.gradients().data(), learning_rate_);
     sums_.loss += batch.loss;
     sums_.correct += batch.correct;
@@ -68,6 +81,7 @@ class OneCoreBackend final : public WdcnnBackend {
   std::int64_t most_windows_;  ///< in a batch
   Network network_;
   nets::Adam<float> adam_;
+  std::optional<Adversary> adversary_;
   // Training windows in the order of the epoch:
   std::vector<const float*> windows_;  ///< pointers into train_
   std::vector<Label> labels_;
@@ -79,7 +93,14 @@ class OneCoreBackend final : public WdcnnBackend {
 std::unique_ptr<WdcnnBackend> make_one_core_backend(LabelledWindows train,
                                                     const WdcnnOptions& options,
                                                     const Stream& initial) {
-  return std::make_unique<OneCoreBackend>(std::move(train), options, initial);
+  return std::make_unique<OneCoreBackend>(std::move(train), options, initial, nullptr);
+}
+
+MakeWdcnnBackend adapting_backend(Adversity settings) {
+  return [settings = std::move(settings)](LabelledWindows train, const WdcnnOptions& options,
+                                          const Stream& initial) {
+    return std::make_unique<OneCoreBackend>(std::move(train), options, initial, &settings);
+  };
 }
 
 }  // namespace piae::diagnosis

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "diagnosis/adversary.hpp"
 #include "diagnosis/wdcnn_backend.hpp"
 
 namespace piae::diagnosis {
@@ -10,5 +11,8 @@ namespace piae::diagnosis {
 std::unique_ptr<WdcnnBackend> make_one_core_backend(LabelledWindows train,
                                                     const WdcnnOptions& options,
                                                     const Stream& initial);
+
+/// Returns a function that makes the same back end for a network that adapts.
+MakeWdcnnBackend adapting_backend(Adversity settings);
 
 }  // namespace piae::diagnosis

@@ -204,9 +204,12 @@ void WdcnnNetwork<T>::propagate_to_input(const Layer& layer) {
 }
 
 template <class T>
-BatchOutcome WdcnnNetwork<T>::backward(std::span<const Label> labels) {
+BatchOutcome WdcnnNetwork<T>::backward(std::span<const Label> labels,
+                                       std::span<const T> by_hidden) {
   const BatchOutcome outcome = cross_entropy<T>(number_of_classes_, logits_row(), labels,
                                                 classes_.output.data(), output_gradient_.data());
+  const auto labelled = std::ssize(labels) * logits_row();
+  output_gradient_.segment(labelled, windows_ * logits_row() - labelled).setZero();
   gradients_.segment(bias_, logits_row()).setZero();
   for (std::int64_t i = 0; i < windows_; ++i) {
     gradients_.segment(bias_, logits_row()) +=
@@ -214,6 +217,8 @@ BatchOutcome WdcnnNetwork<T>::backward(std::span<const Label> labels) {
   }
   propagate_to_weight(classes_);
   propagate_to_input(classes_);
+  pooled_gradient_.head(std::ssize(by_hidden)) +=
+      Eigen::Map<const Numbers>(by_hidden.data(), std::ssize(by_hidden));
   for (std::size_t i = layers_.size(); i-- > 0;) {
     NormalisedLayer& layer = layers_[i];
     normalise_and_pool_gradient<T>(

@@ -37,14 +37,18 @@ class WdcnnNetwork {
   const T* forward(std::span<const float* const> windows, Mode mode);
   [[nodiscard]] std::int64_t logits_row() const { return classes_.convolution.outputs; }
 
+  [[nodiscard]] const T* logits() const { return classes_.output.data(); }
+
   /// Returns the dense layer after ReLU of the last forward(). The values of window i begin at i *
   /// hidden_row(); the first WdcnnLayers::hidden numbers of a row count.
   [[nodiscard]] const T* hidden() const { return classes_.input.data(); }
   [[nodiscard]] std::int64_t hidden_row() const { return classes_.convolution.inputs; }
 
-  /// Computes the gradients of the mean cross-entropy for these labels of the last batch. The last
-  /// forward() must have been in training mode.
-  BatchOutcome backward(std::span<const Label> labels);
+  /// Computes the gradients of the mean cross-entropy for the labels of the first windows of the
+  /// last batch; the other windows have no label. `by_hidden` is a gradient of another loss with
+  /// respect to hidden(), in its layout; empty if there is none. The last forward() must have been
+  /// in training mode.
+  BatchOutcome backward(std::span<const Label> labels, std::span<const T> by_hidden = {});
 
   /// Return all parameters in one array, and their gradients (wdcnn_layout.hpp).
   [[nodiscard]] std::span<T> values() {

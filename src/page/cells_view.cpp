@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 
+#include "diagnosis/catalogue.hpp"
 #include "page/html.hpp"
 #include "page/table.hpp"
 #include "report/columns.hpp"
@@ -48,8 +49,8 @@ Section diagnoses_table(const std::vector<DatasetContents>& datasets) {
     const run::Layout layout("", dataset.name);
     for (std::size_t i = 0; i < dataset.results.diagnoses.size(); ++i) {
       const run::Diagnosis& cell = dataset.results.diagnoses[i];
-      table.row({dataset.name, cell.method, cell.classifier, cell.ratio, seed_cell(cell.seed),
-                 report::number_cell(100 * cell.accuracy),
+      table.row({dataset.name, cell.method, diagnosis::marked_name(cell.classifier), cell.ratio,
+                 seed_cell(cell.seed), report::number_cell(100 * cell.accuracy),
                  file_cell(layout.diagnosis(cell.method, cell.ratio, cell.seed, cell.classifier)),
                  digest_cell(dataset.diagnosis_digests[i].substr(0, shown_digits))});
     }
@@ -86,7 +87,7 @@ Section combined_table(const std::vector<DatasetContents>& datasets) {
   for (const DatasetContents& dataset : datasets) {
     for (const report::AccuracyRow& row : dataset.rows) {
       const auto [low, high] = std::ranges::minmax(row.values);
-      table.row({dataset.name, row.method, row.classifier, row.ratio,
+      table.row({dataset.name, row.method, diagnosis::marked_name(row.classifier), row.ratio,
                  report::count_cell(row.values.size()), report::number_cell(low),
                  report::number_cell(high), report::seed_list(row.seeds)});
     }

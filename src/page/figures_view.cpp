@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 
+#include "diagnosis/catalogue.hpp"
 #include "figures/catalogue.hpp"
 #include "page/contents.hpp"
 #include "page/html.hpp"
@@ -106,7 +107,7 @@ std::string id_of(const std::string& dataset, const std::string& name) {
 /// Describes the picture for people who cannot see it. The linked CSV file has the numbers.
 std::string described(const std::string& dataset, const FigureContents& figure,
                       const Picture& picture) {
-  const std::string part = picture.part.empty() ? "" : ", " + picture.part;
+  const std::string part = picture.part.empty() ? "" : ", " + diagnosis::marked_name(picture.part);
   return heading_of(figure) + ", on " + dataset + part + ". " + figure.caption +
          " The numbers are in the CSV file that is linked below.";
 }
@@ -151,7 +152,8 @@ Html html_of_picture(const std::string& dataset, const FigureContents& figure,
                      const Picture& picture) {
   Html content = picture_itself(dataset, figure, picture);
   Html caption = files_line(dataset, figure, picture);
-  if (!picture.part.empty()) caption = element("h4", picture.part) + caption;
+  if (!picture.part.empty())
+    caption = element("h4", diagnosis::marked_name(picture.part)) + caption;
   const std::string part = picture.part.empty() ? "" : "-" + picture.part;
   return element("figure", {{"id", id_of(dataset, figure.name + part)}},
                  content + element("figcaption", caption));

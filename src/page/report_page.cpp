@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "page/cells_view.hpp"
 #include "page/figures_view.hpp"
 #include "page/html.hpp"
@@ -256,10 +257,14 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Datasets& datase
       {"Split", protocols.empty() ? "not known yet" : report::listed(protocols)},
       {"Cells", counted_cells(diagnoses, scores)}};
   const auto classifiers = all_of<std::string>(datasets, classifiers_in_grid);
+  std::vector<std::string> marked;
+  std::ranges::transform(classifiers, std::back_inserter(marked), diagnosis::marked_name);
   if (classifiers.size() > 1) {
     facts.insert(facts.begin() + 2,
-                 {report::counted(classifiers.size(), "classifier"), report::listed(classifiers)});
+                 {report::counted(classifiers.size(), "classifier"), report::listed(marked)});
   }
+  const std::string adapting = report::about_adapting(classifiers);
+  if (!adapting.empty()) facts.insert(facts.begin() + 2, {"Sees D", adapting});
   return facts;
 }
 

@@ -79,7 +79,8 @@ text::Cell time_or_none(std::optional<double> seconds) {
 /// Returns a row of costs. The sum is missing if the time of a part is unknown.
 text::Cells costs_of(const std::vector<TimedStep>& steps, const StepPlace& diagnosis,
                      double diagnosing_s) {
-  text::Cells cells{report::method_label(diagnosis.method), diagnosis.classifier,
+  text::Cells cells{report::method_label(diagnosis.method),
+                    diagnosis::marked_name(diagnosis.classifier),
                     report::short_ratio_label(diagnosis.ratio), diagnosis.dataset};
   std::optional<double> sum = diagnosing_s;
   for (const char* const stage : {"train", "generate"}) {

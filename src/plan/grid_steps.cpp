@@ -183,6 +183,9 @@ Step GridSteps::of_classifier(const Dataset& dataset, std::int64_t seed, const V
   if (diagnosis::the_classifier(classifier).fit != nullptr) {
     step.inputs.push_back(input("network", diagnosis::any_bearing_file));
   }
+  if (diagnosis::the_classifier(classifier).adapts()) {
+    step.inputs.push_back(input("unlabelled", of_seed + "/D.h5"));
+  }
   if (classifier != scoring::paper_classifier) step.options.emplace_back("classifier", classifier);
   return step;
 }

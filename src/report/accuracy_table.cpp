@@ -254,7 +254,9 @@ text::Cell with_effect(text::Cell cell, Effect effect) {
 
 /// Returns the classifier for the end of a table's title, or "" for the paper's classifier.
 std::string by(const ClassifierRows& block) {
-  return block.classifier == scoring::paper_classifier ? "" : ", by " + block.classifier;
+  return block.classifier == scoring::paper_classifier
+             ? ""
+             : ", by " + diagnosis::marked_name(block.classifier);
 }
 
 std::string about_published(const PaperReference& reference, const std::string& classifier) {
@@ -284,7 +286,7 @@ std::string accuracy_text(const std::vector<AccuracyRow>& rows) {
     for (const AccuracyRow& row : block.rows) shown.push_back({method_label(row.method), row});
     if (block.reference_row)
       shown.push_back({reference_label(*block.reference_row), *block.reference_row});
-    if (blocks.size() > 1) text += "by " + block.classifier + '\n';
+    if (blocks.size() > 1) text += "by " + diagnosis::marked_name(block.classifier) + '\n';
     text += rows_table(shown, Writer::terminal).plain();
   }
   return text;

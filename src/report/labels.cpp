@@ -2,9 +2,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "run/grid.hpp"
 
 namespace piae::report {
@@ -32,6 +34,15 @@ std::string method_label(const std::string& method) {
 
 std::string looks_of(const std::string& method) {
   return augment::is_ceiling(method) ? "ceiling" : "";
+}
+
+std::string about_adapting(const std::vector<std::string>& classifiers) {
+  const bool any = std::ranges::any_of(classifiers, [](const std::string& name) {
+    return diagnosis::the_classifier(name).adapts();
+  });
+  return any ? "A classifier that sees D learns from these windows of the tested condition, too, "
+               "without their labels: more than the others get."
+             : "";
 }
 
 std::string marked_if(bool fewer_seeds, const std::string& label) {

@@ -27,6 +27,10 @@ std::string method_label(const std::string& method);
 /// Returns the style of a method's row on a page: "ceiling", or "" for a method.
 std::string looks_of(const std::string& method);
 
+/// Returns a sentence on the mark of classifiers that adapt (diagnosis::marked_name()); "" if none
+/// of these does.
+std::string about_adapting(const std::vector<std::string>& classifiers);
+
 /// Text of a cell without a number.
 inline constexpr const char* no_number = "–";
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "report/columns.hpp"
 #include "report/labels.hpp"
 #include "report/paper.hpp"
@@ -274,7 +275,7 @@ text::Table table_by_ratio(const std::vector<Recommendation>& all) {
 
 std::string name_of(const Candidate& candidate, const Recommendation& of) {
   const AccuracyRow& row = candidate.row;
-  return of.several_classifiers ? row.method + " by " + row.classifier
+  return of.several_classifiers ? row.method + " by " + diagnosis::marked_name(row.classifier)
                                 : run::name_by(row.method, row.classifier);
 }
 

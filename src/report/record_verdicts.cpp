@@ -12,6 +12,7 @@
 
 #include "augment/catalogue.hpp"
 #include "base/error.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "report/columns.hpp"
 #include "report/labels.hpp"
 #include "run/verdicts.hpp"
@@ -31,7 +32,7 @@ struct RecordGroup {
 };
 
 std::string name_of_judge(const run::Combination& cell) {
-  return cell.method == augment::no_method ? cell.classifier
+  return cell.method == augment::no_method ? diagnosis::marked_name(cell.classifier)
                                            : run::name_by(cell.method, cell.classifier);
 }
 

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "diagnosis/catalogue.hpp"
 #include "report/accuracy_table.hpp"
 #include "report/decisions_table.hpp"
 #include "report/recall_table.hpp"
@@ -15,7 +16,8 @@ namespace {
 std::vector<Section> decisions_by(const ClassifierRows& block, const run::Results& results) {
   std::vector<Section> sections = decision_sections(block, results);
   std::ranges::move(confidence_sections(block, results), std::back_inserter(sections));
-  for (Section& section : sections) section.title += ", by " + block.classifier;
+  for (Section& section : sections)
+    section.title += ", by " + diagnosis::marked_name(block.classifier);
   return sections;
 }
 

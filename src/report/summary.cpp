@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/accuracy_table.hpp"
 #include "report/columns.hpp"
@@ -33,7 +34,9 @@ std::string accuracy_tables(const std::vector<AccuracyRow>& rows) {
   const std::vector<ClassifierRows> blocks = by_classifier(rows);
   std::string text;
   for (const ClassifierRows& block : blocks) {
-    if (blocks.size() > 1) text += (text.empty() ? "" : "\n") + ("by " + block.classifier) + '\n';
+    if (blocks.size() > 1)
+      text +=
+          (text.empty() ? "" : "\n") + ("by " + diagnosis::marked_name(block.classifier)) + '\n';
     text +=
         ratio_matrix(block.rows, block.reference_row, {.short_ratios = true, .cell_of = shown_mean})
             .plain();
@@ -75,7 +78,7 @@ text::Table overview_table(std::vector<AccuracyRow> rows, std::size_t seeds) {
 std::string overview_title(const ClassifierRows& block, std::size_t seeds) {
   const bool is_papers = block.classifier == scoring::paper_classifier;
   std::string title = "Accuracy on " + block.rows.front().dataset + ", percent" +
-                      (is_papers ? "" : ", by " + block.classifier);
+                      (is_papers ? "" : ", by " + diagnosis::marked_name(block.classifier));
   const auto none = std::ranges::find_if(block.rows, is_none);
   if (none == block.rows.end()) return title;
   return title + "; without generated windows " + beside_published(*none, seeds);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "augment/catalogue.hpp"
+#include "diagnosis/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/accuracy_table.hpp"
 #include "report/decisions_table.hpp"
@@ -62,7 +63,7 @@ std::vector<Section> sections_of(const ClassifierRows& block, const run::Results
 /// Adds the classifier to title and key. Keys are labels of LaTeX; the keys of the paper's
 /// classifier stay the same whether or not there are others.
 Section named_by(const std::string& classifier, Section section) {
-  section.title += ", by " + classifier;
+  section.title += ", by " + diagnosis::marked_name(classifier);
   if (classifier != scoring::paper_classifier) section.key += "-" + classifier;
   return section;
 }
@@ -87,10 +88,15 @@ Document tables(const run::Grid& grid, const run::Results& results,
   const std::string no_decisions = decisions_gap(results);
   if (!no_decisions.empty()) document.paragraphs.push_back(no_decisions);
   const std::vector<ClassifierRows> blocks = by_classifier(rows);
+  std::vector<std::string> classifiers;
+  for (const ClassifierRows& block : blocks) classifiers.push_back(block.classifier);
+  const std::string adapting = about_adapting(classifiers);
+  if (!adapting.empty()) document.paragraphs.push_back(adapting);
   for (const ClassifierRows& block : blocks) {
     for (Section& section : sections_of(block, results, published, comparisons, ranks)) {
-      document.sections.push_back(
-          blocks.size() == 1 ? std::move(section) : named_by(block.classifier, std::move(section)));
+      document.sections.push_back(blocks.size() == 1 && adapting.empty()
+                                      ? std::move(section)
+                                      : named_by(block.classifier, std::move(section)));
     }
   }
   std::ranges::move(quality_sections(grid, results), std::back_inserter(document.sections));

@@ -33,7 +33,7 @@ std::vector<const GroupRow*> shown_rows(const TransferGroup& group, Question que
 /// Returns "smote" and "wdcnn-spectra". References have the same names as in other tables.
 Cells shown_names(const GroupRow& row, Question question) {
   if (TransferGroup::is_reference(row, question)) return {reference_label(row.mean.row), no_number};
-  return {method_label(row.method), row.classifier};
+  return {method_label(row.method), diagnosis::marked_name(row.classifier)};
 }
 
 /// Returns the title or key of a table that exists once for each question.
@@ -158,7 +158,7 @@ std::string about_inputs(const TransferGroup& group, Question question) {
 Section inputs_section(const TransferGroup& group, Question question) {
   const Cells classifiers = classifiers_of(group);
   Cells header{"method"};
-  header.insert(header.end(), classifiers.begin(), classifiers.end());
+  std::ranges::transform(classifiers, std::back_inserter(header), diagnosis::marked_name);
   header.emplace_back("lost");
   text::Table table(header, 1);
   for (const std::string& method : group_methods(group)) {
@@ -302,6 +302,8 @@ Document transfer_document(const TransferGroup& group) {
   Document document{.key = "transfer-" + group.choices.group,
                     .title = "Faults known in another condition: " + group.choices.group};
   document.paragraphs.push_back(about(group));
+  const std::string adapting = about_adapting(classifiers_of(group));
+  if (!adapting.empty()) document.paragraphs.push_back(adapting);
   const std::string missing = about_missing_choices(group);
   if (!missing.empty()) document.paragraphs.push_back(missing);
   if (group.own() == nullptr) {

@@ -26,9 +26,10 @@ bool is_of_ceiling(const AccuracyRow& row) { return augment::is_ceiling(row.meth
 bool is_of_method(const AccuracyRow& row) { return !is_rule(row) && !is_of_ceiling(row); }
 
 std::string named(const AccuracyRow& row) {
-  if (is_rule(row)) return fmt::format("{} ({:.1f} %)", row.classifier, row.summary.mean);
-  return fmt::format("{} by {} ({:.1f} %, {})", row.method, row.classifier, row.summary.mean,
-                     short_ratio_label(row.ratio));
+  if (is_rule(row))
+    return fmt::format("{} ({:.1f} %)", diagnosis::marked_name(row.classifier), row.summary.mean);
+  return fmt::format("{} by {} ({:.1f} %, {})", row.method, diagnosis::marked_name(row.classifier),
+                     row.summary.mean, short_ratio_label(row.ratio));
 }
 
 /// Returns "shift (+35.2)", or "shift (+35.2, 1 seed)" if others have more seeds.

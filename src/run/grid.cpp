@@ -73,7 +73,9 @@ std::vector<std::string> without_generating(std::vector<std::string> methods) {
 }  // namespace
 
 std::string name_by(const std::string& method, const std::string& classifier) {
-  return classifier == scoring::paper_classifier ? method : method + " by " + classifier;
+  return classifier == scoring::paper_classifier
+             ? method
+             : method + " by " + diagnosis::marked_name(classifier);
 }
 
 void bind(const cli::Options& command, GridOptions& options) {

@@ -42,7 +42,8 @@ struct Combination {
   bool operator==(const Combination&) const = default;
 };
 
-/// Names a method in texts: "vae", or "vae by nearest" if the classifier is not the paper's.
+/// Names a method in texts: "vae", or "vae by nearest" if the classifier is not the paper's. Marks
+/// classifiers that adapt (diagnosis::marked_name()).
 std::string name_by(const std::string& method, const std::string& classifier);
 
 /// The cells of one data set.

@@ -55,7 +55,15 @@ TEST(Classifiers, AreFoundByName) {
   EXPECT_ERROR(the_classifier("svm"), Exit::usage,
                "unknown classifier 'svm'; known: wdcnn, wdcnn-spectrum, wdcnn-envelope, "
                "wdcnn-spectra, nearest, envelope-rule, exclusion-rule, symptom-net, wdcnn-orders, "
-               "nearest-orders, prototypes");
+               "nearest-orders, prototypes, any-bearing, dann, cdan");
+}
+
+TEST(Classifiers, ThatAdaptAreMarked) {
+  for (const Classifier& each : classifiers()) {
+    const std::string name = each.name;
+    EXPECT_EQ(marked_name(name), name == "dann" || name == "cdan" ? name + " (sees D)" : name);
+  }
+  EXPECT_EQ(marked_name("smote"), "smote");
 }
 
 }  // namespace

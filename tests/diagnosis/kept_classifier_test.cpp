@@ -47,6 +47,7 @@ class Keep : public testing::Test {
     const Stream stream("toy");
     const LearningSettings settings{.wdcnn = {.epochs = 2, .batch = 8, .learning_rate = 1e-3},
                                     .make_backend = make_one_core_backend,
+                                    .unlabelled = &tested_,
                                     .network = &network_};
     const WindowSet set = training(per_class);
     return keep(classifier, learn(classifier, normal_, set, settings, stream).trained, set,

@@ -26,8 +26,10 @@ signal::WindowSet recorded_tones(std::size_t per_class, const std::string& strea
 class Learn : public testing::Test {
  protected:
   [[nodiscard]] Learned by(const std::string& name) const {
-    return learn(the_classifier(name), normal_, training_,
-                 {.wdcnn = {.epochs = 3}, .make_backend = make_one_core_backend}, Stream("toy"));
+    return learn(
+        the_classifier(name), normal_, training_,
+        {.wdcnn = {.epochs = 3}, .make_backend = make_one_core_backend, .unlabelled = &test_},
+        Stream("toy"));
   }
   [[nodiscard]] std::vector<float> scores_by(const std::string& name) const {
     return by(name).trained->outputs(test_, "").scores;

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/expect_slopes.hpp"
 #include "diagnosis/plain_wdcnn.hpp"
 #include "diagnosis/random_batch.hpp"
 #include "nets/adam.hpp"
-#include "support/differences.hpp"
 
 namespace piae::diagnosis {
 namespace {
@@ -127,18 +127,7 @@ TEST(WdcnnNetwork, GradientEqualsFiniteDifferences) {
     return network.backward(batch.labels).loss / 6;
   };
   loss();
-  const std::vector<double> gradients(network.gradients().begin(), network.gradients().end());
-  Stream stream("parameters");
-  for (const WdcnnParameter& parameter : network.layout()) {
-    std::vector<std::int64_t> places;
-    parameter.for_each([&](std::int64_t, std::int64_t j) { places.push_back(j); });
-    for (int sample = 0; sample < 4; ++sample) {
-      const auto j = static_cast<std::size_t>(places[stream.below(places.size())]);
-      EXPECT_NEAR(gradients[j], central_difference(network.values()[j], 1e-6, loss),
-                  1e-7 + 1e-5 * std::abs(gradients[j]))
-          << parameter.spec.name;
-    }
-  }
+  expect_slopes(network, loss);
 }
 
 TEST(WdcnnNetwork, PaddingStaysZero) {

@@ -101,6 +101,13 @@ TEST_F(StepsOfARun, GiveRealWindowsToTheOracleOnly) {
   EXPECT_EQ(command("seed0/oracle/score.h5"), "nothing makes it");
 }
 
+TEST_F(StepsOfARun, GiveUnlabelledWindowsToClassifiersThatAdapt) {
+  run_.request.classifiers = "wdcnn dann";
+  EXPECT_THAT(command("seed0/smote/10to1/dann/diagnosis.h5"),
+              HasSubstr(" --unlabelled results/t/real/seed0/D.h5 "));
+  EXPECT_THAT(command("seed0/smote/10to1/wdcnn/diagnosis.h5"), Not(HasSubstr("D.h5")));
+}
+
 TEST_F(StepsOfARun, GiveHealthyWindowsToMethodsThatUseThem) {
   run_.request.methods = "strike-twin";
   EXPECT_THAT(command("seed0/strike-twin/model.h5"),

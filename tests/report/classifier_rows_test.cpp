@@ -4,6 +4,7 @@
 #include "report/accuracy_rows.hpp"
 #include "report/accuracy_table.hpp"
 #include "report/comparisons.hpp"
+#include "report/labels.hpp"
 #include "report/rank_table.hpp"
 #include "report/summary.hpp"
 #include "report/tables.hpp"
@@ -159,6 +160,18 @@ TEST(ClassifierRows, NameTheirClassifierInTitles) {
   EXPECT_THAT(keys, testing::IsSupersetOf({"accuracy-means", "accuracy-means-wdcnn-spectrum"}));
   EXPECT_THAT(markdown(tables_of(two_classifiers())),
               Not(testing::ContainsRegex("\n[^#\n][^\n]{100}")));
+}
+
+// A referee must see it in each table: these classifiers get windows that others do not.
+TEST(ClassifierRows, MarkClassifiersThatSeeD) {
+  std::vector<AccuracyRow> rows{reference_row()};
+  for (const AccuracyRow& row : five_seeds()) rows.push_back(by("dann", row));
+  const Document document = tables_of(rows);
+  EXPECT_THAT(document.paragraphs.back(), HasSubstr("A classifier that sees D"));
+  EXPECT_THAT(markdown(document), HasSubstr("Mean accuracy on cwru, percent, by dann (sees D)\n"));
+  EXPECT_THAT(markdown(document), Not(testing::ContainsRegex("dann[^-/ ]|dann [^(]")));
+  EXPECT_THAT(accuracy_text(two_classifiers()), Not(HasSubstr("sees D")));
+  EXPECT_EQ(about_adapting({"wdcnn", "nearest"}), "");
 }
 
 TEST(ClassifierRows, AppearInTheVerdictForNearest) {

@@ -181,6 +181,20 @@ TEST(TransferGroup, WritesMarkdown) {
   EXPECT_THAT(text, Not(HasSubstr("by fault type")));
 }
 
+TEST(TransferGroup, MarksClassifiersThatSeeD) {
+  std::vector<DatasetRows> rows = two_datasets();
+  for (DatasetRows& each : rows) {
+    AccuracyRow row = row_by("cdan", row_with("shift", "1to1", {99, 99, 99, 99, 99}));
+    row.dataset = each.dataset;
+    each.rows.push_back(row);
+  }
+  const std::string text = markdown(transfer_document(transfer_group(choices, rows)));
+  EXPECT_THAT(text, HasSubstr(" cdan (sees D) |"));
+  EXPECT_THAT(text, HasSubstr("A classifier that sees D "));
+  EXPECT_THAT(markdown(transfer_document(transfer_group(choices, two_datasets()))),
+              Not(HasSubstr("sees D")));
+}
+
 /// By fault type every method has 100 and 90 on the data sets, mean 95; none by wdcnn has 100.
 TEST(TransferGroup, ShowsTheKindOfDefectIfAllDatasetsHaveIt) {
   std::vector<DatasetRows> datasets = two_datasets();

@@ -27,6 +27,9 @@ class Classifiers : public testing::Test {
     if (found != nullptr && found->fit != nullptr) {
       arguments = with(arguments, "--network", stored_network());
     }
+    if (found != nullptr && found->adapts()) {
+      arguments = with(arguments, "--unlabelled", "D.h5");
+    }
     if (found == nullptr || !found->rule) return arguments;
     const auto generated = std::ranges::find(arguments, "--generated");
     arguments.erase(generated, generated + 2);
@@ -87,13 +90,47 @@ TEST_F(Classifiers, PapersClassifierIsTheDefaultAndNotNamedInItsFile) {
 TEST_F(Classifiers, AreReproducibleAndHaveTheirOwnStreams) {
   std::set<std::vector<float>> scores;
   for (const std::string name : {"wdcnn", "wdcnn-spectrum", "wdcnn-envelope", "wdcnn-spectra",
-                                 "symptom-net", "wdcnn-orders", "prototypes"}) {
+                                 "symptom-net", "wdcnn-orders", "prototypes", "dann", "cdan"}) {
     (void)run_well(diagnose_by(name));
     const std::string first = bytes_of(name + ".h5");
     (void)run_well(diagnose_by(name));
     EXPECT_TRUE(first == bytes_of(name + ".h5")) << name;
     EXPECT_TRUE(scores.insert(record_of(name).scores).second) << name;
   }
+}
+
+// Anything that depended on the labels of D would change some bits.
+TEST_F(Classifiers, AdaptWithoutTheLabelsOfD) {
+  for (const std::string name : {"dann", "cdan"}) {
+    (void)run_well(diagnose_by(name));
+    const std::vector<float> scores = record_of(name).scores;
+    fs::copy_file(tiny_ / "D.h5", tiny_ / "mixed.h5", fs::copy_options::overwrite_existing);
+    doctor((tiny_ / "mixed.h5").string(), [](hid_t file) {
+      change_numbers<Label>(file, "/labels", [](auto& all) { std::ranges::reverse(all); });
+    });
+    (void)run_well(with(diagnose_by(name), "--unlabelled", "mixed.h5"));
+    EXPECT_EQ(record_of(name).scores, scores) << name;
+  }
+}
+
+TEST_F(Classifiers, AdaptToUnlabelledWindowsOnly) {
+  Arguments without = with(step_of("diagnose").arguments, "--output", "x.h5");
+  expect_refusal(tiny_.run("diagnose", with(without, "--classifier", "dann")), "diagnose", 2,
+                 {"--classifier dann needs --unlabelled, D.h5 of split"});
+  const Arguments given = with(without, "--unlabelled", "D.h5");
+  for (const std::string name : {"wdcnn", "nearest"}) {
+    expect_refusal(tiny_.run("diagnose", with(given, "--classifier", name)), "diagnose", 2,
+                   {"--unlabelled: " + name + " must not see D"});
+  }
+  for (const std::string file : {"A.h5", "C.h5", "E.h5"}) {
+    expect_refusal(
+        tiny_.run("diagnose", with(with(given, "--classifier", "cdan"), "--unlabelled", file)),
+        "diagnose", 65, {file, "must have role D"});
+  }
+  expect_refusal(
+      tiny_.run("diagnose", with(with(given, "--classifier", "cdan"), "--backend", "libtorch")),
+      "diagnose", 2, {"--backend, --device: cdan is computed on one core only"});
+  EXPECT_FALSE(fs::exists(tiny_ / "x.h5"));
 }
 
 TEST_F(Classifiers, NearestPredictsWithCertainty) {
@@ -174,7 +211,8 @@ TEST_F(Classifiers, SymptomNetAndOrdersNeedTheSpeedOfGeneratedWindows) {
                   .status,
               0);
     ASSERT_EQ(tiny_.run_step("generate").status, 0);
-    for (const std::string name : {"symptom-net", "nearest-orders", "wdcnn-orders", "prototypes"}) {
+    for (const std::string name :
+         {"symptom-net", "nearest-orders", "wdcnn-orders", "prototypes", "dann"}) {
       const Arguments diagnose = with(diagnose_by(name), "--output", method + ".h5");
       if (method == "strike-twin") {
         (void)run_well(diagnose);

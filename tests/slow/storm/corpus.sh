@@ -169,6 +169,7 @@ for classifier in wdcnn nearest; do
   consumer $kept/classification.h5 verdicts --run run --dataset tiny --methods none --ratios 100to1 --seeds 0 \
     --classifiers wdcnn
 done
+consumer D.h5 "${baseline[@]}" --classifier dann --unlabelled D.h5 --output out.h5
 stage teach --machines 3 --output any-bearing.h5
 consumer any-bearing.h5 "${baseline[@]}" --classifier any-bearing --network any-bearing.h5 --output out.h5
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/domain_classifier.hpp"
 #include "diagnosis/random_batch.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "libtorch/nets/torch.hpp"
@@ -225,6 +226,71 @@ TEST(OneCoreNetwork, MatchesLibtorchAfterTenUpdates) {
     pair.step();
   }
   pair.expect_equal_values(1e-8);
+}
+
+/// The domain classifier by LibTorch's operations; returns the mean binary cross-entropy.
+torch::Tensor domain_loss(const libtorch::ParameterSet& domains, const torch::Tensor& hidden,
+                          const torch::Tensor& logits, Adaptation adaptation) {
+  torch::Tensor input = hidden;
+  if (adaptation == Adaptation::conditional) {
+    const torch::Tensor weights = torch::softmax(logits, 1).detach();
+    input = torch::bmm(weights.unsqueeze(2), hidden.unsqueeze(1)).flatten(1);
+  }
+  const auto layer = [&](const torch::Tensor& x, const std::string& name) {
+    return torch::addmm(domains[name + "/bias"], x, domains[name + "/weight"].t());
+  };
+  const torch::Tensor z = layer(torch::relu(layer(input, "domain/0")), "domain/1").squeeze(1);
+  const torch::Tensor is_labelled = torch::zeros_like(z);
+  is_labelled.slice(0, 0, z.size(0) / 2).fill_(1);
+  return torch::binary_cross_entropy_with_logits(z, is_labelled);
+}
+
+TEST(OneCoreNetwork, AdaptsByTheGradientsOfLibtorch) {
+  using Domains = DomainClassifier<double>;
+  constexpr double reversal = 0.7;
+  for (const Adaptation adaptation : {Adaptation::marginal, Adaptation::conditional}) {
+    Pair<double> pair(1024);
+    const RandomBatch batch = batch_of(12);
+    const auto labels = std::span(batch.labels).first(6);
+    pair.own_logits(batch, true);
+    Domains mine(adaptation, classes, 12, Stream("domains"));
+    std::vector<double> by_hidden(static_cast<std::size_t>(12 * pair.mine.hidden_row()));
+    const double loss =
+        mine.step({.hidden = {pair.mine.hidden(), pair.mine.hidden_row()},
+                   .logits = {pair.mine.logits(), pair.mine.logits_row()},
+                   .windows = 12,
+                   .labelled = 6},
+                  learning_rate, reversal, {by_hidden.data(), pair.mine.hidden_row()});
+    pair.mine.backward(labels, by_hidden);
+
+    std::vector<nets::ParameterSpec> specs;
+    for (const auto& parameter : mine.parameters().parameters()) specs.push_back(parameter.spec);
+    const libtorch::ParameterSet theirs(specs, Stream("domains"), torch::kFloat64);
+    pair.theirs.parameters().zero_gradients();
+    const torch::Tensor hidden =
+        pair.theirs.hidden(pair.tensor_of(batch), libtorch::WdcnnNetwork::Mode::training);
+    const torch::Tensor logits = pair.theirs.classify(hidden);
+    const torch::Tensor of_domains = domain_loss(theirs, hidden, logits, adaptation);
+    const torch::Tensor of_classes = torch::cross_entropy_loss(
+        logits.slice(0, 0, 6),
+        torch::tensor(std::vector(labels.begin(), labels.end()), torch::kInt64));
+    (of_classes - reversal * of_domains).backward();
+    EXPECT_NEAR(loss, of_domains.item<double>(), 1e-12);
+    pair.expect_equal_gradients();
+    // After its first step, Adam's first moment is a tenth of the gradient.
+    for (const auto& parameter : mine.parameters().parameters()) {
+      const double* moment =
+          mine.parameters().data(nets::Parameters<double>::Kept::first_moment) + parameter.begin;
+      std::vector<double> gradient;
+      for (std::int64_t row = 0; row < parameter.rows; ++row, moment += parameter.held_columns) {
+        for (std::int64_t i = 0; i < parameter.columns; ++i) {
+          gradient.push_back(-reversal * moment[i] / 0.1);
+        }
+      }
+      expect_near(gradient, numbers<double>(theirs[parameter.spec.name].grad()), 1e-9,
+                  parameter.spec.name);
+    }
+  }
 }
 
 }  // namespace
