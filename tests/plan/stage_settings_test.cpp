@@ -42,10 +42,10 @@ struct Project {
 
 TEST(SettingsOfAStage, AreThoseOfItsVariant) {
   const Project project(
-      "[train]\nepochs = 200 # of them\n[train.vae]\nrate = 0.5\nepochs = 3\n"
-      "[train.ae]\nlike = \"vae\"\nname = \"x\"\n");
-  EXPECT_EQ(project.values_of("train", "vae"), "epochs = 3\nrate = 0.5\n");
-  EXPECT_EQ(project.values_of("train", "ae"), "epochs = 3\nname = 'x'\nrate = 0.5\n");
+      "[train]\nepochs = 200 # of them\n[train.vae]\nlearning-rate = 0.5\nepochs = 3\n"
+      "[train.ae]\nlike = \"vae\"\nkeep = \"final\"\n");
+  EXPECT_EQ(project.values_of("train", "vae"), "epochs = 3\nlearning-rate = 0.5\n");
+  EXPECT_EQ(project.values_of("train", "ae"), "epochs = 3\nkeep = 'final'\nlearning-rate = 0.5\n");
   EXPECT_EQ(project.values_of("train", "smote"), "epochs = 200\n");
   EXPECT_EQ(project.values_of("score"), "\n");
 }
