@@ -16,8 +16,8 @@ epochs = 200
 [train.smote]
 neighbours = 4
 [train.piae-dt]
-layers = [
-  # depth
+depth = [
+  # layers
   3,
 ]
 [generate]

@@ -101,6 +101,7 @@ TEST_F(KeepClassifier, EveryClassifierPredictsLikeItsDiagnosis) {
     Arguments arguments = with(with(diagnose(name), "--output", name + ".diagnosis.h5"),
                                "--keep-classifier", name + ".h5");
     if (each.fit != nullptr) arguments = with(arguments, "--network", stored_network());
+    if (each.adapts()) arguments = with(arguments, "--unlabelled", "D.h5");
     const Outcome outcome = tiny_.run("diagnose", arguments);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const Outcome verified = tiny_.run("verify", {name + ".h5"});

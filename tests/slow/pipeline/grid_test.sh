@@ -44,7 +44,7 @@ test_a_changed_setting_remakes_its_dependents() {
   grid >/dev/null
   expect_no_line "$(<calls)" "smote|none"
   expect_equal "$(ran)" "8 diagnose, 4 generate, 4 score, 2 tabulate, 4 train"
-  expect_equal "$(grep -v '^#' results/t/.settings/train.piae-dt.toml)" $'epochs = 200\nlayers = [ 4 ]'
+  expect_equal "$(grep -v '^#' results/t/.settings/train.piae-dt.toml)" $'depth = [ 4 ]\nepochs = 200'
   expect_line "$(command_of real/seed0/piae-dt/train)" '--config results/t/.settings/train.piae-dt.toml '
 }
 
