@@ -51,7 +51,7 @@ test_only_named_cells_must_exist() {
     make --silent figures report BIN=fake RUN=t "$which" >/dev/null 2>&1
     sed -n 's/^fake.figures *\(.*\)--run results.t --dataset made .*/\1/p' results/t/made/figures.log >>asked
   done
-  sed -i 's/ *--published results.published//; s/ $//' asked reports
+  sed -i 's/ *--published results.published//; s/--costs jobs.costs.csv *//; s/ $//' asked reports
   expect_equal "$(<asked)" $'\n--seeds 1 0\n--methods none vae'
   expect_equal "$(sed 's/^report: --run results.t *//' reports)" "$(<asked)"
 }
