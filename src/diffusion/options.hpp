@@ -32,8 +32,8 @@ inline constexpr DiffusionOptions ddpm_defaults{
     .steps = 50};
 inline constexpr DiffusionOptions flow_defaults{
     .path = Path::flow,
-    .course = {.epochs = 2000, .batch = 45, .learning_rate = 2e-3},
-    .size = {.channels = 48, .blocks = 6},
+    .course = {.epochs = 2000, .batch = 15, .learning_rate = 2e-3},
+    .size = {.channels = 48, .blocks = 3},
     .dropped = 0.1,
     .guidance = 0,
     .steps = 8};
@@ -41,7 +41,7 @@ inline constexpr DiffusionOptions flow_defaults{
 /// Settings of a model that learns the healthy windows first.
 struct HealthyOptions {
   Course course{.epochs = 150, .batch = 50, .learning_rate = 2e-3};  ///< on the healthy windows
-  DenoiserSize change{.channels = 16, .blocks = 3};  ///< of the network of what a fault changes
+  DenoiserSize change{.channels = 32, .blocks = 6};  ///< of the network of what a fault changes
 };
 
 void bind(const cli::Options& command, DiffusionOptions& options);
