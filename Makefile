@@ -22,6 +22,7 @@ ARCH     ?= native
 LIBTORCH := on
 SUBMIT   :=
 TOLERANCE := auto
+REFERENCE := results/reference
 LINT     :=
 STORM    := full
 PREFIX   := /usr/local
@@ -42,7 +43,7 @@ goals      := $(filter-out $(elsewhere),$(MAKECMDGOALS))
 
 # ---- checks of the given variables --------------------------------------------------------------
 variables := RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR ARCH LIBTORCH BIN SUBMIT \
-             TOLERANCE LINT STORM V PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
+             TOLERANCE REFERENCE LINT STORM V PREFIX DESTDIR CORES MINUTES JOBS GPU_PARTITION
 given     := $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 
 # Values must be plain text for make and the shell. They are checked before make would expand them. The folder
@@ -109,7 +110,8 @@ letters    := $(filter-out --%,$(firstword -$(MAKEFLAGS)))
 # Builds the programs first, unless BIN= names their folder or the installed piae-dt has linked them as bin
 # (packaging/piae-dt). An installation does not have the sources. `make -q` does not build.
 installed  := $(wildcard bin/plan)
-of_sources := build build-demo deps install package test test-all storm lint bench bench-scale reference clean
+of_sources := build build-demo deps install package test test-all storm lint bench bench-scale reference reference-all \
+              clean
 $(if $(installed),$(foreach goal,$(filter $(of_sources),$(goals)),\
   $(error make $(goal): needs a clone of the sources; the programs here are installed: $(realpath bin))))
 ifneq (,$(filter BIN,$(given)))
@@ -132,8 +134,8 @@ export GOALS RUN DATASETS METHODS RATIOS CLASSIFIERS SEEDS PROTOCOL DATA_DIR BIN
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := help
-.PHONY: help grid demo cluster cluster-plan cluster-stop status why plan check reference data test \
-        test-all storm lint bench bench-scale deps build build-demo install package clean
+.PHONY: help grid demo cluster cluster-plan cluster-stop status why plan check reference reference-all data \
+        test test-all storm lint bench bench-scale deps build build-demo install package clean
 
 help:
 	@sed '$(if $(installed),/^Targets that need/$(comma)$$d)' pipeline/help.txt
@@ -169,12 +171,14 @@ cluster-stop:
 lower_case = $(shell printf %s '$1' | tr A-Z a-z)
 part       = $(foreach name,DATASETS METHODS RATIOS CLASSIFIERS SEEDS,\
                $(if $(filter $(name),$(given)),--$(call lower_case,$(name)) $($(name))))
-compare    = $(BIN)/check --run $(results) --reference results/reference $(part)
+compare    = $(BIN)/check --run $(results) --reference $(REFERENCE) $(part)
 check: | $(programs)
 	$(Q)$(compare) --tolerance $(TOLERANCE)
 reference: | $(programs)
 	$(Q)$(compare) --store
-	$(Q)pipeline/keep_shown.sh $(results) results/reference/$(PROTOCOL)
+	$(Q)pipeline/keep_shown.sh $(results) $(REFERENCE)/$(PROTOCOL)
+reference-all: | $(programs)
+	$(Q)+DATA_DIR='$(DATA_DIR)' BIN='$(BIN)' pipeline/reference_all.sh '$(MAKE)'
 
 data: | $(programs)
 	$(Q)pipeline/download.sh '$(DATA_DIR)' $(or $(DATASETS),cwru)

@@ -1,12 +1,12 @@
 #!/bin/bash
-# Copies the tables and figures of a run to its reference: FOLDER/<dataset>/*.md, verdicts.csv and .svg,
+# Copies the tables and figures of a run to its reference: FOLDER/<dataset>/*.md, verdicts and readings as .csv and .svg,
 # figures/*.csv and *.svg, and for several data sets FOLDER/transfer*@<group>.md, .csv and .svg, and rigs.svg.
 # usage: pipeline/keep_shown.sh results/RUN FOLDER
 set -euo pipefail
 shopt -s nullglob
 
 run=$1 folder=$2
-for table in "$run"/*/*.md "$run"/*/verdicts.{csv,svg} "$run"/{transfer*@*.{md,csv,svg},rigs*.svg}; do
+for table in "$run"/*/*.md "$run"/*/{verdicts,readings}.{csv,svg} "$run"/{transfer*@*.{md,csv,svg},rigs*.svg}; do
   kept=$folder/${table#"$run"/}
   mkdir -p "${kept%/*}"
   cp "$table" "$kept"

@@ -1,0 +1,81 @@
+#!/bin/bash
+# `make reference-all`: which parts are due, and that every request of a part is a valid one.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/support.sh"
+
+list=results/reference/parts.csv
+
+# Makes the folder a repository, and a make that prints its request and fails for the one in the file `broken`.
+lay_out() {
+  mkdir -p src stages results/reference
+  touch CMakeLists.txt src/code stages/code
+  git init --quiet
+  commit
+  cat >remake <<'MAKE'
+#!/bin/bash
+echo "$*" >>requests
+[[ ! -e broken ]] || ! grep -qF "$(<broken)" <<<"$*"
+MAKE
+  chmod +x remake
+}
+commit() {
+  git add CMakeLists.txt src stages pipeline
+  git -c user.name=a -c user.email=b commit --quiet --message=c
+}
+commit_of() { git log -1 --format=%h -- CMakeLists.txt src stages pipeline/protocol.toml pipeline/datasets; }
+reference_all() { DATA_DIR=recordings BIN="$programs" pipeline/reference_all.sh ./remake; }
+all_parts() { reference_all >messages 2>&1 || fail "$(<messages)"; }
+
+test_every_request_is_valid() {
+  lay_out
+  mkdir recordings
+  all_parts
+  local request
+  while IFS= read -r request; do
+    [[ $request != reference* ]] || continue
+    # The values have spaces: NAME=a b NAME=c.
+    mapfile -t requested < <(sed -E 's/ ([A-Z_]+=)/\n\1/g' <<<"$request")
+    make --silent plan "${requested[@]}" >messages 2>&1 || fail "make $request: $(<messages)"
+    expect_line "$(<messages)" '^[0-9]+ steps?: '
+  done <requests
+}
+
+test_every_computed_run_is_stored() {
+  lay_out
+  all_parts
+  local run
+  while IFS= read -r run; do
+    expect_line "$(grep '^reference' requests)" "$run "
+  done < <(grep -v '^reference' requests | grep -oE 'RUN=[^ ]+' | sort -u)
+}
+
+test_stored_parts_are_skipped_until_programs_or_settings_change() {
+  lay_out
+  all_parts
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
+  rm requests
+  expect_line "$(reference_all)" '^reference-all: zero is stored$'
+  [[ ! -e requests ]] || fail "made again: $(<requests)"
+  echo "# another value" >>pipeline/protocol.toml
+  expect_line "$(reference_all 2>&1 || true)" 'differ from their last commit'
+  [[ ! -e requests ]] || fail "made from what was not committed: $(<requests)"
+  commit
+  all_parts
+  expect_line "$(<requests)" '^verdicts RUN=zero'
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
+}
+
+test_a_failed_part_is_not_stored_and_the_same_command_continues_with_it() {
+  lay_out
+  echo "verdicts RUN=zero" >broken
+  expect_exit 1 reference_all
+  expect_no_line "$(<$list)" '^zero,'
+  expect_no_line "$(<requests)" '^reference RUN=zero'
+  expect_line "$(<$list)" '^cwru,'
+  rm broken requests
+  all_parts
+  expect_no_line "$(<requests)" '^sweep'
+  expect_line "$(<$list)" '^zero,'
+}
+
+run_tests "$@"
