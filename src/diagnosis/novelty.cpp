@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/columns.hpp"
 #include "diagnosis/band_powers.hpp"
 #include "spectra/left_out.hpp"
 
@@ -68,7 +69,8 @@ Novelty Novelty::without(Label label) const {
     labels.push_back(labels_[i]);
     groups.push_back(groups_[i]);
   }
-  return {reference_.known()(rows, Eigen::all), std::move(labels), std::move(groups)};
+  return {reference_.known()(rows, every_column(reference_.known())), std::move(labels),
+          std::move(groups)};
 }
 
 void Novelty::write(artefact::Writer& writer, const std::string& group) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/columns.hpp"
 #include "base/error.hpp"
 #include "diagnosis/nearest_orders.hpp"
 #include "diagnosis/standardise.hpp"
@@ -88,7 +89,7 @@ void Prototypes::run_epoch(const FeatureRows& rows,
     std::vector<std::size_t> shown = episode.support;
     shown.insert(shown.end(), episode.queries.begin(), episode.queries.end());
     const BatchOutcome outcome =
-        episode_loss(episode, classes_, embed(rows(shown, Eigen::all)), gradient);
+        episode_loss(episode, classes_, embed(rows(shown, every_column(rows))), gradient);
     nets::put<float>(gradient.cast<float>(), network_.output_gradient());
     (void)network_.backward_and_take(nets::AdamStep(++steps_, PrototypeTraining::learning_rate),
                                      /*by_input=*/false);

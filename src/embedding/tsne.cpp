@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/columns.hpp"
 #include "base/error.hpp"
 #include "embedding/neighbours.hpp"
 #include "embedding/start.hpp"
@@ -74,7 +75,7 @@ TsneMap tsne(const Points& points, const TsneOptions& options) {
   check_tsne(points, options);
   // Another order would round the sums differently and could lead to another minimum.
   const std::vector<Index> order = sorted_rows(points);
-  const Points sorted = points(order, Eigen::all);
+  const Points sorted = points(order, every_column(points));
   const Eigen::MatrixXd probabilities =
       pair_probabilities(squared_distances(sorted), options.perplexity);
   Plane places = first_places(sorted);
@@ -82,7 +83,7 @@ TsneMap tsne(const Points& points, const TsneOptions& options) {
 
   TsneMap map{.points = Points(points.rows(), 2),
               .kl_divergence = kl_divergence(probabilities, places)};
-  map.points(order, Eigen::all) = places.matrix();
+  map.points(order, every_column(map.points)) = places.matrix();
   return map;
 }
 

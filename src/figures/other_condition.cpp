@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "augment/catalogue.hpp"
+#include "base/columns.hpp"
 #include "base/parallel.hpp"
 #include "bearing/impact_frequency.hpp"
 #include "figures/line_name.hpp"
@@ -87,7 +88,8 @@ scoring::Windows windows_in(std::int32_t condition, const WindowSet& set, Label 
                        set.condition[own[i]] == signal::every_condition;
     if (is_in) in_condition.push_back(static_cast<Index>(i));
   }
-  return scoring::windows_of(set, label, own.size())(in_condition, Eigen::all);
+  const scoring::Windows windows = scoring::windows_of(set, label, own.size());
+  return windows(in_condition, every_column(windows));
 }
 
 /// Returns the tested condition with real windows of the class whose speed is farthest from the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/columns.hpp"
 #include "base/error.hpp"
 #include "nets/divergence.hpp"
 #include "spectra/floors.hpp"
@@ -188,8 +189,8 @@ double InferenceTraining::learn(const nets::RowArray<float>& features, Stream& s
     const auto rows = std::span(order).subspan(begin, std::min(batch, order.size() - begin));
     std::vector<Label> labels;
     for (const std::size_t row : rows) labels.push_back(lessons_.labels[row]);
-    const double loss = inference_.learn(features(rows, Eigen::all), labels,
-                                         targets(rows, Eigen::all), learning_rate);
+    const double loss = inference_.learn(features(rows, every_column(features)), labels,
+                                         targets(rows, every_column(targets)), learning_rate);
     sum += loss * static_cast<double>(rows.size());
   }
   return sum / static_cast<double>(order.size());

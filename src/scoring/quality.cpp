@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/columns.hpp"
 #include "base/error.hpp"
 #include "bearing/impact_frequency.hpp"
 #include "scoring/mmd.hpp"
@@ -97,7 +98,7 @@ double line_db_of(const signal::WindowSet& set, Label label, const Windows& wind
     const double line_hz =
         bearing::impact_frequency_hz(info.bearing, info.class_of(label).defect, speed_rpm);
     const spectra::EnvelopeSpectrum spectrum =
-        spectra::envelope_spectrum(windows(rows, Eigen::all), info.sample_rate_hz);
+        spectra::envelope_spectrum(windows(rows, every_column(windows)), info.sample_rate_hz);
     const double part = static_cast<double>(rows.size()) / static_cast<double>(windows.rows());
     sum += part * spectra::free_harmonics_db(spectrum, line_hz);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/columns.hpp"
 #include "spectra/left_out.hpp"
 #include "symptoms/speed_change.hpp"
 
@@ -24,7 +25,7 @@ Eigen::ArrayXXd without_block(const Eigen::ArrayXXd& rows, Index block) {
   for (Index i = 0; i < rows.rows(); ++i) {
     if (spectra::block_of(i, rows.rows(), blocks) != block) others.push_back(i);
   }
-  return rows(others, Eigen::all);
+  return rows(others, every_column(rows));
 }
 
 }  // namespace
