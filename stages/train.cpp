@@ -1,6 +1,7 @@
 // Trains a method on the known fault windows of a split, to generate fault windows.
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <iostream>
 

@@ -1,6 +1,7 @@
 #include "report/accuracy_table.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
