@@ -1,5 +1,6 @@
 # Names the commit of a folder of sources, for provenance: "262a408bc461", or "262a408bc461-changed" if tracked files
-# differ from it; empty if the folder is not in a git repository.
+# differ from it. An archive of `git archive` carries its commit here; it is empty for other folders without git.
+set(COMMIT_OF_ARCHIVE "$Format:%H$")
 find_package(Git QUIET)
 
 function(name_commit folder variable)
@@ -13,6 +14,9 @@ function(name_commit folder variable)
     if(commit AND changes)
       string(APPEND commit "-changed")
     endif()
+  endif()
+  if(NOT commit AND COMMIT_OF_ARCHIVE MATCHES "^[0-9a-f]+$")
+    string(SUBSTRING ${COMMIT_OF_ARCHIVE} 0 12 commit)
   endif()
   set(${variable} "${commit}" PARENT_SCOPE)
 endfunction()

@@ -3,16 +3,16 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
-commit_of() { # folder
+commit_of() { # folder, the script there (default: the project's)
   cat >name.cmake <<CMAKE
-include($project/packaging/commit.cmake)
+include(${2:-$project/packaging/commit.cmake})
 name_commit($PWD/$1 commit)
 message("commit: \${commit}.")
 CMAKE
   cmake -P name.cmake 2>&1
 }
 
-in_sources() { git -C sources -c user.name=t -c user.email=t@example.org "$@" >/dev/null; }
+in_sources() { git -C sources -c init.defaultBranch=main -c user.name=t -c user.email=t@example.org "$@" >/dev/null; }
 
 test_a_commit_is_marked_if_tracked_files_differ() {
   export GIT_CEILING_DIRECTORIES=$PWD
@@ -30,6 +30,19 @@ test_a_commit_is_marked_if_tracked_files_differ() {
   expect_equal "$(commit_of sources)" "commit: $commit-changed."
   in_sources commit -am two
   expect_equal "$(commit_of sources)" "commit: $(git -C sources rev-parse --short=12 HEAD)."
+}
+
+test_an_archive_carries_its_commit() {
+  export GIT_CEILING_DIRECTORIES=$PWD
+  mkdir -p sources/packaging unpacked
+  cp "$project/packaging/commit.cmake" sources/packaging
+  cp "$project/.gitattributes" sources
+  in_sources init
+  in_sources add .
+  in_sources commit -m one
+  git -C sources archive HEAD | tar --extract --directory unpacked
+  expect_equal "$(commit_of unpacked "$PWD/unpacked/packaging/commit.cmake")" \
+    "commit: $(git -C sources rev-parse --short=12 HEAD)."
 }
 
 run_tests "$@"

@@ -9,7 +9,7 @@ list=results/reference/parts.csv
 lay_out() {
   mkdir -p src stages results/reference
   touch CMakeLists.txt src/code stages/code
-  git init --quiet
+  git -c init.defaultBranch=main init --quiet
   commit
   cat >remake <<'MAKE'
 #!/bin/bash

@@ -60,7 +60,15 @@ test_tables_and_figures_are_kept_with_the_reference() {
   expect_equal "$(ls results/reference/random/tiny/figures)" \
     "$(cd results/tiny/tiny/figures && printf '%s\n' *.csv *.svg | LC_ALL=C sort)"
   expect_line "$(ls results/reference/random/tiny/figures)" '^fig15-gains.svg$'
+  expect_line "$(<results/reference/SHA256SUMS)" "  random/tiny/tables.md$"
   expect_exit 0 tiny check
+}
+
+test_the_sums_of_the_stored_results_agree() {
+  cd "$project/results/reference"
+  sha256sum --check --quiet SHA256SUMS
+  expect_equal "$(sed 's/^[^ ]*  //' SHA256SUMS)" \
+    "$(find . -type f ! -name SHA256SUMS -printf '%P\n' | LC_ALL=C sort)"
 }
 
 test_finds_a_changed_digit_on_the_same_machine() {
