@@ -18,7 +18,7 @@ packages=(
 )
 [[ $libtorch == off ]] || packages+=(libtorch-dev libopenblas-dev)
 [[ " $* " != *" tests "* ]] || packages+=(libgtest-dev libgmock-dev hdf5-tools gnuplot-nox qpdf fonts-dejavu-core)
-[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev libdnnl-dev libxsmm-dev time)
+[[ " $* " != *" benches "* ]] || packages+=(libbenchmark-dev time)
 [[ " $* " != *" figures "* ]] || packages+=(gnuplot-nox qpdf fonts-dejavu-core)
 # The tests of `export_windows` read its files with other programs.
 [[ " $* " != *" readers "* ]] || packages+=(python3-numpy python3-scipy octave)
