@@ -7,6 +7,7 @@ set -euo pipefail
 shopt -s nullglob
 
 run=$1 folder=$2
+mkdir -p "$folder"
 for table in "$run"/*/*.md "$run"/*/{verdicts,readings}.{csv,svg} "$run"/{transfer*@*.{md,csv,svg},rigs*.svg}; do
   kept=$folder/${table#"$run"/}
   mkdir -p "${kept%/*}"
@@ -22,4 +23,5 @@ for figures in "$run"/*/figures; do
 done
 
 cd results/reference
-find . -type f ! -name SHA256SUMS -printf '%P\0' | LC_ALL=C sort --zero-terminated | xargs --null sha256sum >SHA256SUMS
+sums=$(find . -type f ! -name SHA256SUMS -printf '%P\0' | LC_ALL=C sort --zero-terminated | xargs --null --no-run-if-empty sha256sum)
+printf '%s\n' "$sums" >SHA256SUMS

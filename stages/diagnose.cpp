@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       "windows. envelope-rule and exclusion-rule compare fault lines and spectra with the "
       "healthy windows only. any-bearing does the same with a network that teach made for all "
       "machines. symptom-net and prototypes are small networks with settings of their "
-      "own. dann and cdan also see unlabelled windows of the tested condition, those of D.",
+      "own. dann and cdan also see unlabelled windows of the tested condition: those of D and B.",
       "diagnose --test A.h5 --normal B.h5 --known C.h5 --generated E.h5 --ratio 10to1 "
       "--seed 0 --output diagnosis.h5");
   diagnosis::LearningSettings settings;

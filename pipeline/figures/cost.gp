@@ -23,7 +23,7 @@ shown(x) = x >= 10 ? sprintf("%.0f", x) : sprintf("%.2g", x)
 do for [n = 1:words(words_method)] {
   name = word(words_method, n)
   stats data using (strcol(1) eq name ? \
-    (tone = tint(strcol(2)), seconds = $5, each = $9 > 0 ? $5 / $9 : -1, 0) : 0) nooutput
+    (tone = tint(strcol(2)), seconds = $5, each = valid(10) ? $10 : -1, 0) : 0) nooutput
   set label 10 * n sprintf("%d", n) at screen (list_left + 16.0) / 960, line_y(n) right font font_12 textcolor rgb tone
   set label 10 * n + 1 name at screen (list_left + 24.0) / 960, line_y(n) font font_12 textcolor rgb tone noenhanced
   set label 10 * n + 2 shown(seconds) at screen 810.0 / 960, line_y(n) right font font_12
@@ -34,5 +34,5 @@ set yrange [5 * floor(lowest / 5.0):101]
 set format x "%g"
 set logscale x
 plot data using (strcol(3) eq "1" ? $5 : NaN):6 smooth unique with lines linewidth 1 dashtype 2 linecolor rgb 0x999999, \
-     data using 5:6:7:8:(tint(strcol(2))) with yerrorbars pointtype 7 pointsize 1.5 linecolor rgb variable, \
+     data using 5:6:(valid(7) ? $7 : $6):(valid(8) ? $8 : $6):(tint(strcol(2))) with yerrorbars pointtype 7 pointsize 1.5 linecolor rgb variable, \
      data using 5:6:(sprintf("%d", $0 + 1)) with labels font font_9 textcolor rgb 0xFFFFFF

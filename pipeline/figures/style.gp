@@ -3,12 +3,14 @@
 #                                 blindnesses (Okabe and Ito 2008), never used without another cue
 #   faint(rgb)                    the same colour for single seeds behind a mean
 #   panels(n, columns)            number of rows in a grid of n panels
-#   by_whom                       ending for titles of accuracies: ", by CLASSIFIER", or empty for the paper's
+#   by_whom                       ending for titles of accuracies: ", by CLASSIFIER", or empty for the paper's; marks those
+#                                 that see windows of D
 # draw.sh sets `data` (the CSV), `part` (the part of its name after the "@", or empty), words_<column> (the distinct
 # words of every column of words, in order; ratios from 100to1 to 1to1), and in a script with "# rows by: COLUMN"
 # rows_of(word), the rows of each word of that column.
 
-by_whom = exists("part") && part ne "" ? ", by ".part : ""
+sees_d(classifier) = classifier eq "dann" || classifier eq "cdan" ? " (sees D)" : ""
+by_whom = exists("part") && part ne "" ? ", by ".part.sees_d(part) : ""
 
 set datafile separator comma
 set datafile columnheaders

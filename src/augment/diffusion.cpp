@@ -1,11 +1,8 @@
 #include "augment/diffusion.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <utility>
 
 #include "augment/healthy_model.hpp"
-#include "base/error.hpp"
 #include "seam/libtorch.hpp"
 #include "signal/amplitude.hpp"
 
@@ -23,13 +20,29 @@ diffusion::MakeDiffusionBackend diffusion_backend(const Compute& compute) {
   return backends.chosen(compute);
 }
 
+/// Returns the calibrated settings of a method, those of pipeline/protocol.toml.
+diffusion::DiffusionOptions defaults_of(diffusion::Path path, Diffusion::From from,
+                                        diffusion::Angle angle) {
+  const bool flows = path == diffusion::Path::flow;
+  diffusion::DiffusionOptions options = flows ? diffusion::flow_defaults : diffusion::ddpm_defaults;
+  if (from == Diffusion::From::healthy) {
+    options.course.batch = 15;
+    options.course.learning_rate = 4e-3;
+  } else if (angle == diffusion::Angle::drawn && flows) {
+    options.course.epochs = 6000;
+    options.course.batch = 45;
+    options.size.blocks = 6;
+  } else if (angle == diffusion::Angle::drawn) {
+    options.course.epochs = 4000;
+    options.course.learning_rate = 4e-3;
+  }
+  return options;
+}
+
 }  // namespace
 
 Diffusion::Diffusion(diffusion::Path path, From from, diffusion::Angle angle)
-    : from_(from),
-      angle_(angle),
-      options_(path == diffusion::Path::flow ? diffusion::flow_defaults
-                                             : diffusion::ddpm_defaults) {}
+    : from_(from), angle_(angle), options_(defaults_of(path, from, angle)) {}
 
 bool Diffusion::needs_libtorch(const Compute& compute) const {
   return piae::needs_libtorch(compute);
@@ -42,6 +55,7 @@ void Diffusion::bind(const cli::Options& command) {
 
 void Diffusion::train(const signal::WindowSet& known, const Stream& stream, const Compute& compute,
                       const nets::Checkpoint& checkpoint, artefact::Writer& model) {
+  diffusion::require_possible(options_);
   diffusion::require_whole_frames(known.length);
   std::vector<double> rms = signal::rms_by_class(known);
   std::vector<DenoiserSize> sizes;

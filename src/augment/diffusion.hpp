@@ -11,10 +11,11 @@ namespace piae::augment {
 /// Methods `ddpm` (denoising diffusion: Ho, Jain and Abbeel 2020) and `flow` (conditional flow
 /// matching: Lipman et al. 2023), with the class as a condition, from the known windows; and
 /// `ddpm-healthy`, whose network first learns the healthy windows and then stays as it is, while a
-/// small second one learns what a fault changes (as FaultDiffusion, arXiv 2511.15174, keeps a model
-/// of normal data and adapts it). `ddpm-angle`, `ddpm-healthy-angle` and `flow-angle` are the same
-/// with each known window read as its fault cycle from a random angle, as `piae-dt-phase` draws it.
-/// pipeline/protocol.toml gives the source of each setting.
+/// second one of half the size learns what a fault changes (as FaultDiffusion, arXiv 2511.15174,
+/// keeps a model of normal data and adapts it; with few parameters it did worse). `ddpm-angle`,
+/// `ddpm-healthy-angle` and `flow-angle` are the same with each known window read as its fault
+/// cycle from a random angle, as `piae-dt-phase` draws it. pipeline/protocol.toml gives the source
+/// of each setting.
 class Diffusion final : public Method {
  public:
   enum class From { known, healthy };

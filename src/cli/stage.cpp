@@ -74,6 +74,25 @@ CLI::Option* add_config(CLI::App& app, const std::string& help) {
   return app.set_config("--config", "", help)->check(CLI::Validator(require_file, ""));
 }
 
+/// Returns what is wrong with the file of a given --config; empty if it can be read. From 2.5 on
+/// CLI11 reports a missing option before a missing file, although the file may hold the option.
+std::string refusal_of_config(const CLI::App& app) {
+  if (app.get_config_ptr()->count() == 0) return {};
+  const auto path = app.get_config_ptr()->as<std::string>();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) return {};
+  return std::filesystem::exists(path, ignored) ? path + ": is not a file"
+                                                : path + " was not readable (missing?)";
+}
+
+/// Keeps the lines of the footer as they are: from 2.5 on CLI11 joins and breaks them.
+template <class Formatter>
+void keep_footer(Formatter& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); }) {
+    formatter.enable_footer_formatting(false);
+  }
+}
+
 int fail(const std::string& name, Exit exit, const std::string& line) {
   std::cerr << name << ": " << one_line(line) << '\n';
   return static_cast<int>(exit);
@@ -120,6 +139,7 @@ Stage::Stage(std::string name, const std::string& summary, const std::string& ex
                "75 interrupted after a checkpoint (run the same command again)\n");
   app_->option_defaults()->always_capture_default();
   app_->get_formatter()->column_width(38);
+  keep_footer(*app_->get_formatter());
   app_->set_version_flag("--version", "piae-dt " + name_ + " " + artefact::build_version(),
                          "Print the version and exit")
       ->configurable(false);
@@ -188,6 +208,8 @@ int Stage::run(int argc, char** argv, const std::function<void()>& body) {
                 about_config(app_->get_config_ptr()->as<std::string>(), first_line(error.what())) +
                     " (see " + name_ + " --help)");
   } catch (const CLI::Error& error) {
+    const std::string refusal = refusal_of_config(*app_);
+    if (!refusal.empty()) return fail(name_, Exit::input_missing, refusal);
     return fail(name_, Exit::usage, first_line(error.what()) + " (see " + name_ + " --help)");
   } catch (const Error& error) {
     return fail(name_, error.exit(), with_input_names(error));

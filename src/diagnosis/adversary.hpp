@@ -16,13 +16,15 @@ namespace piae::diagnosis {
 struct Adversity {
   Adaptation adaptation;
   std::vector<float>
-      unlabelled;  ///< row-major [n, length], inputs of windows without labels; n > 0
+      unlabelled;  ///< row-major [n, length], inputs of windows without labels, at least one
   /// Their order in pass k, counted from 1, comes from the child "unlabelled<k>".
   Stream stream;
 };
 
-/// Returns Ganin et al.'s weight of the reversed gradient: from 0 to almost 1 as `progress` goes
-/// from 0 to 1.
+/// Returns the weight of the reversed gradient, which rises from 0 to almost 1 as `progress` goes
+/// from 0 to 1 (Ganin et al. 2016, Section 5.2.2). The loss that it multiplies is the mean over the
+/// labelled and unlabelled windows together, as in the program of Long et al. (2018), so it counts
+/// half as much as Ganin et al.'s sum of two means.
 double reversal_at(double progress);
 
 /// The opponent of a WDCNN in training: draws as many unlabelled windows as a batch has labelled

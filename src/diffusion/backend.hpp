@@ -17,7 +17,7 @@
 namespace piae::diffusion {
 
 /// The networks of a model. Their outputs are added. With two, the first was trained on healthy
-/// windows and stays as it is while the second, a small one, learns what a fault changes.
+/// windows and stays as it is while the second learns what a fault changes.
 using Networks = std::vector<Denoiser>;
 
 /// Points on the paths of n windows.

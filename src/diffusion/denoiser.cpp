@@ -108,7 +108,7 @@ void fill_input(const Denoiser& denoiser, const float* window, double u, std::op
     T* next = std::copy_n(window + t * Denoiser::frame, Denoiser::frame, row);
     next = std::ranges::transform(features, next, [](double x) { return static_cast<T>(x); }).out;
     std::fill_n(next, held - Denoiser::frame - Denoiser::features, T{0});
-    if (label) next[*label] = 1;
+    if (label && denoiser.classes > 0) next[*label] = 1;
   }
 }
 

@@ -20,14 +20,14 @@ struct DenoiserSize {
 };
 
 /// A network that estimates the velocity of a noisy window (path.hpp). It reads the window as
-/// frames of 16 samples, each followed by features of u and the one-hot class; no class means all
-/// of them. A dense layer turns frames into channels, residual blocks of two dilated convolutions
-/// follow (van den Oord et al. 2016; Kong et al. 2021 for diffusion), and a dense layer turns
-/// channels into frames.
+/// frames of 16 samples, each followed by features of u and the one-hot class; zeros mean that the
+/// class is not told. A dense layer turns frames into channels, residual blocks of two dilated
+/// convolutions follow (van den Oord et al. 2016; Kong et al. 2021 for diffusion), and a dense
+/// layer turns channels into frames.
 struct Denoiser {
   std::string name;          ///< of its parameters: "net/denoiser"
   std::int64_t samples = 0;  ///< N, whole frames
-  std::int64_t classes = 0;
+  std::int64_t classes = 0;  ///< 0: of healthy windows alone, so no class is an input
   DenoiserSize size;
 
   static constexpr std::int64_t frame = 16;
@@ -58,7 +58,7 @@ std::unique_ptr<nets::Network<T>> make_network(const Denoiser& denoiser,
                                                const std::shared_ptr<nets::Parameters<T>>& all,
                                                std::int64_t most_rows);
 
-/// Fills a row of the network's input: window [N], u, and the class if one is given.
+/// Fills a row of the network's input: window [N], u, and the class if one is given and an input.
 template <class T>
 void fill_input(const Denoiser& denoiser, const float* window, double u, std::optional<Label> label,
                 T* row);

@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/vector.hpp"
+#include "diffusion/ranges.hpp"
 #include "nets/ranges.hpp"
 #include "nets/stored_parameters.hpp"
 #include "signal/amplitude.hpp"
@@ -18,8 +19,6 @@ namespace piae::diffusion {
 
 namespace {
 
-constexpr Range possible_steps{.low = 1, .high = 1000};
-constexpr Range possible_guidance{.low = 0, .high = 100};
 constexpr std::size_t windows_at_once = 32;
 
 /// Names of the networks in the order of Networks.
@@ -94,8 +93,11 @@ Networks networks_of(std::int64_t samples, std::int64_t classes,
                      const std::vector<DenoiserSize>& sizes) {
   Networks networks;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    networks.push_back(
-        {.name = names.at(i), .samples = samples, .classes = classes, .size = sizes[i]});
+    const bool healthy = i + 1 < sizes.size();
+    networks.push_back({.name = names.at(i),
+                        .samples = samples,
+                        .classes = healthy ? 0 : classes,
+                        .size = sizes[i]});
   }
   return networks;
 }
@@ -121,8 +123,8 @@ DiffusionModel read_diffusion_model(const artefact::Reader& reader) {
   DiffusionModel model;
   model.info = signal::read_dataset_info(reader);
   model.path = read_path(reader);
-  model.steps = static_cast<int>(reader.integer("/", "steps", possible_steps));
-  model.guidance = reader.real("/", "guidance", possible_guidance);
+  model.steps = static_cast<int>(reader.integer("/", "steps", ranges::steps));
+  model.guidance = reader.real("/", "guidance", ranges::guidance);
   model.rms = signal::read_amplitudes(reader, "/classes/rms", model.info);
   model.networks = networks_of(reader.integer("/", "samples", signal::ranges::window_samples),
                                std::ssize(model.info.classes), read_sizes(reader));

@@ -29,12 +29,13 @@ struct DiffusionModel {
   [[nodiscard]] std::int64_t samples() const { return networks.front().samples; }
 };
 
-/// Returns one or two networks of these sizes: that of all windows, and that of what a fault
-/// changes.
+/// Returns one or two networks of these sizes: that of all windows; or that of healthy windows,
+/// without the class as an input, and that of what a fault changes.
 Networks networks_of(std::int64_t samples, std::int64_t classes,
                      const std::vector<DenoiserSize>& sizes);
 
-/// Write and read a model without its weights.
+/// Write and read a model without its weights. Reading throws artefact::Refusal for a path that is
+/// not known, and for sizes, steps or a guidance outside their ranges.
 void write(artefact::Writer& writer, const DiffusionModel& model);
 DiffusionModel read_diffusion_model(const artefact::Reader& reader);
 
@@ -45,7 +46,8 @@ std::vector<float> follow(const DiffusionModel& model, DiffusionBackend& backend
                           std::vector<float> noise);
 
 /// Makes `count` windows of each class with a defect from a stored model, in the recordings' unit.
-/// The noise of a window comes from its own random numbers (signal/made_windows.hpp).
+/// The noise of a window comes from its own random numbers (signal/made_windows.hpp). Throws
+/// artefact::Refusal as read_diffusion_model(), and for missing or damaged weights.
 signal::WindowSet generate(const artefact::Reader& model, std::size_t count, const Stream& stream,
                            MakeDiffusionBackend make_backend, Device device);
 

@@ -1,6 +1,11 @@
 #include "diffusion/options.hpp"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <cmath>
+
+#include "base/error.hpp"
+#include "diffusion/ranges.hpp"
 
 namespace piae::diffusion {
 
@@ -25,8 +30,19 @@ void bind(const cli::Options& command, DiffusionOptions& o) {
   command.add("--dropped", o.dropped, "share of windows whose class is not told, for guidance")
       .check(cli::within({.low = 0, .high = 0.9}));
   command.add("--guidance", o.guidance, "weight of classifier-free guidance; 0: none")
-      .check(cli::non_negative_number());
-  command.add("--steps", o.steps, "steps from noise to a window").check(cli::whole_number(1, 1000));
+      .check(cli::within(ranges::guidance));
+  command.add("--steps", o.steps, "steps from noise to a window")
+      .check(cli::whole_number(static_cast<std::int64_t>(ranges::steps.low),
+                               static_cast<std::int64_t>(ranges::steps.high)));
+}
+
+void require_possible(const DiffusionOptions& o) {
+  if (o.guidance == 0 || o.dropped > 0) return;
+  throw Error(
+      Exit::usage,
+      fmt::format("--guidance {}: needs windows whose class is not told; add --dropped 0.1, "
+                  "or leave --guidance out",
+                  o.guidance));
 }
 
 void bind(const cli::Options& command, HealthyOptions& o) {

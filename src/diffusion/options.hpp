@@ -11,6 +11,7 @@ struct Course {
   int epochs = 0;            ///< passes over the windows
   int batch = 0;             ///< windows in a step
   double learning_rate = 0;  ///< of Adam, at the start; falls as half a cosine
+  const char* rate_option = "--learning-rate";
 };
 
 /// Settings of a diffusion or flow model.
@@ -40,11 +41,17 @@ inline constexpr DiffusionOptions flow_defaults{
 
 /// Settings of a model that learns the healthy windows first.
 struct HealthyOptions {
-  Course course{.epochs = 150, .batch = 50, .learning_rate = 2e-3};  ///< on the healthy windows
+  Course course{.epochs = 150,  ///< on the healthy windows
+                .batch = 50,
+                .learning_rate = 2e-3,
+                .rate_option = "--healthy-learning-rate"};
   DenoiserSize change{.channels = 32, .blocks = 6};  ///< of the network of what a fault changes
 };
 
 void bind(const cli::Options& command, DiffusionOptions& options);
+/// Throws Error(usage) for a guidance without dropped classes: it would need a velocity that was
+/// never trained.
+void require_possible(const DiffusionOptions& options);
 void bind(const cli::Options& command, HealthyOptions& options);
 
 }  // namespace piae::diffusion

@@ -32,6 +32,10 @@ std::int64_t most_windows_of(const std::vector<Lesson>& lessons) {
   return most;
 }
 
+bool are_finite(const std::vector<float>& values) {
+  return std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
+}
+
 /// Returns the learning rate of an epoch: half a cosine from the first to zero.
 double rate_at(const Course& course, std::size_t epoch) {
   const double done = (static_cast<double>(epoch) + 0.5) / course.epochs;
@@ -131,7 +135,13 @@ std::string DiffusionTraining::run_epoch(std::size_t epoch) {
                            rate_at(lesson.course, place.epoch)) /
             static_cast<double>(batches);
   }
-  nets::require_finite(mean, "training", epoch + 1, {.value = lesson.course.learning_rate});
+  const nets::LearningRate rate{.value = lesson.course.learning_rate,
+                                .option = lesson.course.rate_option};
+  nets::require_finite(mean, "training", epoch + 1, rate);
+  // The error is that before each step, so only the parameters show what the last step did.
+  if (epoch + 1 == epochs() && !are_finite(backend_->values())) {
+    nets::throw_diverged("training", epoch + 1, rate);
+  }
   squared_errors_.push_back(mean);
   return fmt::format("squared error {:.3f}", mean);
 }

@@ -48,7 +48,7 @@ class DiffusionTraining final : public nets::Trainee {
 
   [[nodiscard]] std::size_t epochs() const override;
   [[nodiscard]] double effort(std::size_t epoch) const override;
-  /// Throws Error(failed) if the loss is not finite.
+  /// Throws Error(failed) if the loss, or a parameter after the last epoch, is not finite.
   std::string run_epoch(std::size_t epoch) override;
   void write_state(artefact::Writer& writer) const override;
   void read_state(const artefact::Reader& reader) override;

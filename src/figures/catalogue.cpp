@@ -53,10 +53,12 @@ constexpr Figure figures[] = {
     {.name = "cost",
      .paper = "",
      .title = "Accuracy by the cost of the generator",
-     .caption = "With the most generated windows: accuracy, with its 95 % interval over the seeds, "
-                "by the processor time of training a generator for one seed and generating its "
-                "windows, as measured in an earlier run (jobs/costs.csv). The line joins methods "
-                "to which no other is preferable: none is at least as accurate in less time.",
+     .caption =
+         "With the most generated windows: accuracy, with its 95 % interval over the seeds, "
+         "by the processor time of training a generator for one seed and generating its "
+         "windows, as measured in an earlier run (jobs/costs.csv). The line joins methods "
+         "to which no other is preferable: none is at least as accurate in less time. Methods "
+         "whose cost was not measured are left out.",
      .from = "seed*/<method>/<last ratio>/<classifier>/diagnosis.h5, /predictions",
      .accuracies = costs_of_accuracy},
     {.name = "paired-differences",

@@ -41,7 +41,8 @@ std::string about_adapting(const std::vector<std::string>& classifiers) {
     return diagnosis::the_classifier(name).adapts();
   });
   return any ? "A classifier that sees D learns from these windows of the tested condition, too, "
-               "without their labels: more than the others get."
+               "without their labels: more than the others get. With the random split they overlap "
+               "the tested windows."
              : "";
 }
 

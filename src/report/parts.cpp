@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/catalogue.hpp"
 #include "report/accuracies.hpp"
 #include "report/columns.hpp"
 #include "report/gaps.hpp"
@@ -124,7 +125,7 @@ Document parts_document(const Sweep& sweep, const std::vector<PartRow>& rows,
       "difference from the method as in the grid is in points and paired by seed: a negative one "
       "means that the method is worse without that part. {}Split protocol {}; {} ({}). "
       "Numbers are the mean ± the sample standard deviation over the seeds. {}",
-      sweep.classifier, sweep.method,
+      diagnosis::marked_name(sweep.classifier), sweep.method,
       types ? "By fault type: a window counts as correct if the damaged part of the bearing is "
               "named, "
               "whatever the size of the defect. "

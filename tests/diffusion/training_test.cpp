@@ -98,6 +98,28 @@ TEST(DiffusionTraining, LowersTheLearningRateByHalfACosine) {
   }
 }
 
+/// Runs one epoch with our own back end, at a learning rate at which numbers overflow.
+void diverge(Course course, std::size_t networks) {
+  const signal::WindowSet set = impacts();
+  course.epochs = 1;
+  std::vector<Lesson> lessons(networks,
+                              lesson_of(set, signal::rms_by_class(set), Angle::known, course));
+  DiffusionTraining training(model_of(set, networks), std::move(lessons), 0, Stream("toy"),
+                             [](const Networks& all, std::int64_t most, const Stream& initial) {
+                               return one_core_diffusion(all, most, initial, Device::cpu);
+                             });
+  for (std::size_t epoch = 0; epoch < training.epochs(); ++epoch) training.run_epoch(epoch);
+}
+
+TEST(DiffusionTraining, NamesTheLearningRateThatMadeItDiverge) {
+  Course course{.batch = 4, .learning_rate = 1e38};
+  EXPECT_ERROR(diverge(course, 1), Exit::failed, "with --learning-rate 1e+38");
+  course.rate_option = "--healthy-learning-rate";
+  EXPECT_ERROR(diverge(course, 1), Exit::failed, "with --healthy-learning-rate 1e+38");
+  course.batch = 6;  // one step, whose loss is that before it
+  EXPECT_ERROR(diverge(course, 1), Exit::failed, "training diverged in epoch 1");
+}
+
 // x = a x0 + b e and v = a' x0 + b' e; both together give x0, a known window of the class.
 TEST(DiffusionTraining, ShowsPointsOnThePathsOfKnownWindows) {
   const signal::WindowSet set = impacts();

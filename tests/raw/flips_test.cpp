@@ -10,6 +10,7 @@
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
+#include "support/old_hdf5.hpp"
 
 /// Flips one bit in bytes that a checksum of the format covers: the reader must refuse the file or
 /// return the same numbers.
@@ -45,7 +46,7 @@ struct Filters {
 void write_filtered(const fs::path& path, const Filters& filters, hsize_t user_block) {
   const hid_t creation_of_file = H5Pcreate(H5P_FILE_CREATE);
   H5Pset_userblock(creation_of_file, user_block);
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_of_file, H5P_DEFAULT);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_of_file, oldest_format());
   const hsize_t extents[]{1, flipped_length};
   const hsize_t chunk[]{1, flipped_length / 5};
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -309,7 +310,8 @@ TEST(FileOfHdf5, IsReadBehindAUserBlock) {
 /// the file (HDF5 file format, II.A), and the extents (IV.A.2.b).
 TEST(Flips, NeverChangeNumbersInEndAndExtentsOfHdf5) {
   const Folder folder;
-  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t file =
+      H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, oldest_format());
   const hsize_t extent = 3000;
   std::vector<double> values(extent);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1 + static_cast<double>(i);
@@ -354,7 +356,8 @@ TEST(Hdf5, ReadsHalfFloatsAndRefusesUnusualTypes) {
   const hid_t twelve_bits = H5Tcopy(H5T_STD_I16LE);
   H5Tset_precision(twelve_bits, 12);
   const std::vector<std::uint16_t> bytes{0x3C00, 0xC000, 0x3C00, 0xC000};  // 1 and -2 in binary16
-  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t file =
+      H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, oldest_format());
   write_dataset(file, "half", half, {4}, bytes.data());
   write_dataset(file, "odd", odd, {2}, bytes.data());
   write_dataset(file, "twelve", twelve_bits, {4}, bytes.data());
@@ -369,7 +372,8 @@ TEST(Hdf5, ReadsHalfFloatsAndRefusesUnusualTypes) {
 
 TEST(Hdf5, RefusesDatasetsThatAreNotFullyWritten) {
   const Folder folder;
-  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t file =
+      H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, oldest_format());
   const hsize_t extent = 100;
   const hsize_t chunk = 25;
   const hsize_t none = 0;

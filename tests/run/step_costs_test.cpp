@@ -34,11 +34,17 @@ TEST(StepCosts, RefuseAnotherHeaderAndCostsThatAreNotNumbers) {
 
 // The time to train and to generate; nothing without one of them.
 TEST(StepCosts, OfAGeneratorAreTheSumOfItsSteps) {
+  const auto cost = [](const char* stage, const char* dataset, const char* method, double seconds) {
+    StepCost made;
+    made.stage = stage;
+    made.dataset = dataset;
+    made.method = method;
+    made.seconds = seconds;
+    return made;
+  };
   const std::vector<StepCost> costs{
-      {.stage = "train", .dataset = "cwru", .method = "vae", .seconds = 2},
-      {.stage = "generate", .dataset = "cwru", .method = "vae", .seconds = 0.5},
-      {.stage = "train", .dataset = "cwru", .method = "smote", .seconds = 1},
-      {.stage = "train", .dataset = "hit-sm", .method = "vae", .seconds = 7}};
+      cost("train", "cwru", "vae", 2), cost("generate", "cwru", "vae", 0.5),
+      cost("train", "cwru", "smote", 1), cost("train", "hit-sm", "vae", 7)};
   EXPECT_EQ(generator_seconds(costs, "cwru", "vae"), 2.5);
   EXPECT_EQ(generator_seconds(costs, "cwru", "smote"), std::nullopt);
   EXPECT_EQ(generator_seconds(costs, "hit-sm", "vae"), std::nullopt);

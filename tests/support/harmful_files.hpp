@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "support/old_hdf5.hpp"
+
 /// Raw recordings designed to harm a reader that trusts them, by what it would allocate, follow or
 /// wait for. Each has a variable or dataset x.
 namespace piae::harmful {
@@ -86,7 +88,7 @@ inline std::string bomb_v5(std::uint32_t length) {
 class NewHdf5 {
  public:
   explicit NewHdf5(const fs::path& path)
-      : id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+      : id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, oldest_format())) {}
   NewHdf5(const NewHdf5&) = delete;
   NewHdf5& operator=(const NewHdf5&) = delete;
   ~NewHdf5() { H5Fclose(id); }

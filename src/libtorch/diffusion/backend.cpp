@@ -73,7 +73,7 @@ class Diffusion final : public diffusion::DiffusionBackend {
         .to(device());
   }
   [[nodiscard]] torch::Tensor classes_of(const diffusion::NoisyBatch& batch) const {
-    torch::Tensor classes = torch::zeros({batch.size(), networks_.front().classes});
+    torch::Tensor classes = torch::zeros({batch.size(), networks_.back().classes});
     for (std::int64_t i = 0; i < batch.size(); ++i) {
       const auto& label = batch.labels[static_cast<std::size_t>(i)];
       if (label) classes[i][*label] = 1;
@@ -127,9 +127,10 @@ torch::Tensor run_denoiser(const Denoiser& denoiser, const ParameterSet& paramet
         .unsqueeze(1)
         .expand({n, denoiser.positions(), -1});
   };
-  const torch::Tensor frames = torch::cat({windows.view({n, denoiser.positions(), Denoiser::frame}),
-                                           at_each_frame(features(u)), at_each_frame(classes)},
-                                          2);
+  const torch::Tensor frames = torch::cat(
+      {windows.view({n, denoiser.positions(), Denoiser::frame}), at_each_frame(features(u)),
+       at_each_frame(classes.narrow(1, 0, denoiser.classes))},
+      2);
   torch::Tensor x = run_dense(parameters, denoiser.name + "/frames", frames).transpose(1, 2);
   for (std::int64_t block = 0; block < denoiser.size.blocks; ++block) {
     torch::Tensor branch = x;

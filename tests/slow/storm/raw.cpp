@@ -74,7 +74,8 @@ void write_mat(const fs::path& path, mat_ft version, matio_compression compressi
 
 void write_hdf5(const fs::path& path, bool new_format, bool compressed) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-  if (new_format) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  H5Pset_libver_bounds(access, new_format ? H5F_LIBVER_LATEST : H5F_LIBVER_EARLIEST,
+                       H5F_LIBVER_LATEST);
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   const hsize_t extent = samples;
   const hsize_t chunk = 50;
