@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/vector.hpp"
+#include "base/transpose.hpp"
 #include "nets/matrix_product.hpp"
 
 namespace piae::diagnosis {
@@ -60,20 +60,6 @@ void apply(const Taps& taps, std::int64_t windows, const T* from, const T* weigh
                        .a_block = from_time,
                        .b_block = tap_weights});
     begin = end;
-  }
-}
-
-/// Transposes a matrix in square blocks, so that all accesses stay in the fastest cache.
-template <class T>
-void transpose(std::int64_t rows, std::int64_t columns, const T* from, T* to) {
-  for (std::int64_t r0 = 0; r0 < rows; r0 += row_granule) {
-    for (std::int64_t c0 = 0; c0 < columns; c0 += row_granule) {
-      for (std::int64_t r = r0; r < r0 + row_granule; ++r) {
-        for (std::int64_t c = c0; c < c0 + row_granule; ++c) {
-          to[c * rows + r] = from[r * columns + c];
-        }
-      }
-    }
   }
 }
 
