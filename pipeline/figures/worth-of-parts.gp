@@ -33,7 +33,7 @@ least = low_min < 0 ? low_min : 0
 most  = high_max > 0 ? high_max : 0
 span  = most > least ? most - least : 1
 set label 1 sprintf("Effect of each part of %s: accuracy with one setting moved minus that of the unchanged method", part)
-set label 2 "points of accuracy by ".word(words_classifier, 1).", paired by seed" at screen 0.5, 36.0 / height
+set label 2 "points of accuracy by ".word(words_classifier, 1).sees_d(word(words_classifier, 1)).", paired by seed" at screen 0.5, 36.0 / height
 set label 4 "blue: the 95 % interval of the mean lies on one side of zero" at screen 0.5, 14.0 / height center \
   textcolor rgb 0x555555 font font_12
 set multiplot

@@ -177,6 +177,11 @@ void take_rivals(const Experiment& experiment, const Words& goals, Lists& lists)
   if (!may || !all || experiment.groups.empty()) return;
   const std::vector<settings::Group> groups = groups_of(lists.datasets, experiment);
   Lists rivals = lists_of(groups, experiment);
+  // Diffusion models and flows take minutes a seed, for windows that never helped at another speed.
+  std::erase_if(rivals.methods, [](const std::string& name) {
+    const augment::CatalogueEntry& entry = *augment::find_entry(name);
+    return entry.kind == augment::Kind::control && entry.trains;
+  });
   std::erase_if(rivals.classifiers,
                 [&](const std::string& name) { return !judges_methods(groups, name); });
   lists.methods = std::move(rivals.methods);

@@ -22,11 +22,11 @@ struct Lists {
 Lists default_lists(const Experiment& experiment, const std::vector<std::string>& goals);
 
 /// Replaces the methods, ratios and classifiers by those of `make transfer`, which include the
-/// strongest rivals (without classifiers that were chosen for ceilings alone, to save time), if
-/// faults are known in another condition in all of these data sets. Takes the groups of [transfer]
-/// in pipeline/protocol.toml that name one of them, or all groups if a data set is in none. Changes
-/// nothing for goals with lists of their own, such as `sweep`, and if the protocol does not define
-/// groups.
+/// strongest rivals (to save time without diffusion and flow, and without classifiers that were
+/// chosen for ceilings alone), if faults are known in another condition in all of these data sets.
+/// Takes the groups of [transfer] in pipeline/protocol.toml that name one of them, or all groups if
+/// a data set is in none. Changes nothing for goals with lists of their own, such as `sweep`, and
+/// if the protocol does not define groups.
 void take_rivals(const Experiment& experiment, const std::vector<std::string>& goals, Lists& lists);
 
 /// Returns the methods that the word `paper` stands for.

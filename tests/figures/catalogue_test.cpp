@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
+
+#include "diagnosis/catalogue.hpp"
 
 namespace piae::figures {
 namespace {
@@ -36,6 +39,16 @@ TEST(Catalogue, HasAFigureForEachScript) {
   for (const auto& entry : fs::directory_iterator(scripts)) {
     if (entry.path().extension() != ".gp" || is_no_figure(entry.path())) continue;
     EXPECT_TRUE(names.contains(entry.path().stem())) << entry.path();
+  }
+}
+
+// gnuplot cannot ask the catalogue of classifiers.
+TEST(Style, MarksTheClassifiersThatSeeD) {
+  std::ifstream file(scripts / "style.gp");
+  const std::string style{std::istreambuf_iterator<char>(file), {}};
+  for (const diagnosis::Classifier& classifier : diagnosis::classifiers()) {
+    const std::string name = std::string("classifier eq \"") + classifier.name + '"';
+    EXPECT_EQ(style.find(name) != std::string::npos, classifier.adapts()) << name;
   }
 }
 

@@ -96,6 +96,10 @@ TEST_F(Rivals, AreComparedWhereFaultsAreKnownInAnotherCondition) {
                             "adasyn", "borderline-smote", "resample", "randomise", "oracle"}));
   EXPECT_THAT(lists.classifiers,
               UnorderedElementsAre("nearest", "nearest-orders", "wdcnn-orders", "prototypes"));
+  for (const char* slow : {"ddpm", "ddpm-healthy-angle", "flow-angle"}) {
+    EXPECT_THAT(lists.methods, Not(Contains(slow)));
+    EXPECT_THAT(of({"hit-sm-1200to900"}, {"transfer"}).methods, Contains(slow));
+  }
   EXPECT_THAT(lists.ratios, ElementsAre("100to1", "1to1"));
   EXPECT_THAT(of({"cwru-sizes-7"}).classifiers, IsSupersetOf({"wdcnn", "nearest-orders"}));
 }
