@@ -11,17 +11,16 @@ namespace piae {
 
 /// One round of transposing a square in registers: exchanges the blocks of `size` lanes that lie
 /// opposite each other, in each pair of rows that are `size` apart.
-template <int size, class T, std::size_t... k>
-void exchange_blocks(std::array<Vector<T>, lanes<T>>& rows, std::index_sequence<k...> /*lanes*/) {
-  constexpr int n = lanes<T>;
-  for (int i = 0; i < n; ++i) {
+template <std::size_t size, class T, std::size_t n, std::size_t... k>
+void exchange_blocks(std::array<Vector<T>, n>& rows, std::index_sequence<k...> /*lanes*/) {
+  for (std::size_t i = 0; i < n; ++i) {
     if ((i & size) != 0) continue;
-    Vector<T>& upper = rows[static_cast<std::size_t>(i)];
-    Vector<T>& lower = rows[static_cast<std::size_t>(i + size)];
+    Vector<T>& upper = rows[i];
+    Vector<T>& lower = rows[i + size];
     const Vector<T> first = __builtin_shufflevector(
-        upper, lower, ((static_cast<int>(k) & size) == 0 ? int(k) : n + int(k) - size)...);
-    lower = __builtin_shufflevector(
-        upper, lower, ((static_cast<int>(k) & size) == 0 ? int(k) + size : n + int(k))...);
+        upper, lower, static_cast<int>((k & size) == 0 ? k : n + k - size)...);
+    lower = __builtin_shufflevector(upper, lower,
+                                    static_cast<int>((k & size) == 0 ? k + size : n + k)...);
     upper = first;
   }
 }
@@ -30,16 +29,16 @@ void exchange_blocks(std::array<Vector<T>, lanes<T>>& rows, std::index_sequence<
 /// distances from one row to the next.
 template <class T>
 void transpose_square(const T* from, std::int64_t from_row, T* to, std::int64_t to_row) {
-  constexpr std::int64_t n = lanes<T>;
-  constexpr auto all = std::make_index_sequence<static_cast<std::size_t>(n)>();
+  constexpr std::size_t n = vector_bytes / sizeof(T);
+  constexpr auto all = std::make_index_sequence<n>();
   std::array<Vector<T>, n> rows;
-  for (std::int64_t i = 0; i < n; ++i)
-    rows[static_cast<std::size_t>(i)] = load(from + i * from_row);
+  for (std::size_t i = 0; i < n; ++i)
+    rows[i] = load(from + static_cast<std::int64_t>(i) * from_row);
   exchange_blocks<1, T>(rows, all);
   if constexpr (n > 2) exchange_blocks<2, T>(rows, all);
   if constexpr (n > 4) exchange_blocks<4, T>(rows, all);
   if constexpr (n > 8) exchange_blocks<8, T>(rows, all);
-  for (std::int64_t i = 0; i < n; ++i) store(to + i * to_row, rows[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i < n; ++i) store(to + static_cast<std::int64_t>(i) * to_row, rows[i]);
 }
 
 /// Writes the transpose of `from` [rows, columns] to `to` [columns, rows]. The arrays must not
