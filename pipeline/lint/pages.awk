@@ -7,7 +7,7 @@ BEGIN {
   most["README.md"] = 1300; most["docs/results.md"] = 2500; most["docs/method.md"] = 2500
   most["CONTRIBUTING.md"] = 2000; most["SECURITY.md"] = 700
   most_of_a_page = 1000
-  most_of_all = 24000
+  most_of_all = 24300
   # Only the sum limits these.
   most["docs/claims.md"] = most["docs/tables.md"] = most["CHANGELOG.md"] = most_of_all
   most["pipeline/datasets/README.md"] = most_of_all
