@@ -57,7 +57,14 @@ stand_ins() {
   ln -s "$programs/plan" "$programs/status" fake
   cat >fake/figures <<'STAGE'
 #!/bin/bash
-mkdir -p "$2/$4/figures" # --run FOLDER --dataset NAME
+while (($#)); do
+  case $1 in
+    --run) run=$2 ;;
+    --dataset) dataset=$2 ;;
+  esac
+  shift
+done
+mkdir -p "$run/$dataset/figures"
 echo "figures: wrote the numbers of none"
 STAGE
   printf '#!/bin/bash\necho "report: $*" >>reports\n' >fake/report
