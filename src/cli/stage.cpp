@@ -77,8 +77,9 @@ CLI::Option* add_config(CLI::App& app, const std::string& help) {
 /// Returns what is wrong with the file of a given --config; empty if it can be read. From 2.5 on
 /// CLI11 reports a missing option before a missing file, although the file may hold the option.
 std::string refusal_of_config(const CLI::App& app) {
-  if (app.get_config_ptr()->count() == 0) return {};
-  const auto path = app.get_config_ptr()->as<std::string>();
+  const std::vector<std::string> given = app.get_config_ptr()->results();
+  if (given.empty()) return {};
+  const std::string& path = given.front();
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored)) return {};
   return std::filesystem::exists(path, ignored) ? path + ": is not a file"
