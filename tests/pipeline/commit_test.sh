@@ -3,9 +3,13 @@
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
+# Prints the project's script as it is in git: in an archive the commit has replaced the placeholder.
+script() { sed -E 's/^(set\(COMMIT_OF_ARCHIVE ")[^"]*/\1$Format:%H$/' "$project/packaging/commit.cmake"; }
+
 commit_of() { # folder, the script there (default: the project's)
+  script >commit.cmake
   cat >name.cmake <<CMAKE
-include(${2:-$project/packaging/commit.cmake})
+include(${2:-$PWD/commit.cmake})
 name_commit($PWD/$1 commit)
 message("commit: \${commit}.")
 CMAKE
@@ -35,7 +39,7 @@ test_a_commit_is_marked_if_tracked_files_differ() {
 test_an_archive_carries_its_commit() {
   export GIT_CEILING_DIRECTORIES=$PWD
   mkdir -p sources/packaging unpacked
-  cp "$project/packaging/commit.cmake" sources/packaging
+  script >sources/packaging/commit.cmake
   cp "$project/.gitattributes" sources
   in_sources init
   in_sources add .
