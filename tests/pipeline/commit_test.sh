@@ -4,6 +4,7 @@
 source "${0%/*}/support.sh"
 
 # Prints the project's script as it is in git: in an archive the commit has replaced the placeholder.
+# shellcheck disable=SC2016 # git expands the placeholder
 script() { sed -E 's/^(set\(COMMIT_OF_ARCHIVE ")[^"]*/\1$Format:%H$/' "$project/packaging/commit.cmake"; }
 
 commit_of() { # folder, the script there (default: the project's)
