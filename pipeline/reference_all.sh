@@ -104,7 +104,7 @@ adaptation() {
 }
 
 # ---- which parts are due ------------------------------------------------------------------------
-parts=(rivals-cwru conditions-speeds adaptation conditions-sizes rivals-hit-sm classifiers cwru hit-sm zero
+parts=(conditions-speeds conditions-sizes rivals-hit-sm adaptation rivals-cwru classifiers cwru hit-sm zero
   conditions-uestc readings)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 

@@ -6,6 +6,7 @@
 
 #include "base/label.hpp"
 #include "diagnosis/batches.hpp"
+#include "diagnosis/batchwise_backend.hpp"
 #include "diagnosis/wdcnn_evaluation.hpp"
 #include "diagnosis/wdcnn_network.hpp"
 #include "nets/adam.hpp"
@@ -25,49 +26,24 @@ std::int64_t largest_batch(std::int64_t n, std::int64_t batch) {
   return largest;
 }
 
-class OneCoreBackend final : public WdcnnBackend {
+class OneCoreBackend final : public BatchwiseBackend {
  public:
   /// `adversity` is null for a network that does not adapt.
-  OneCoreBackend(LabelledWindows train, const WdcnnOptions& options, const Stream& initial,
+  OneCoreBackend(LabelledWindows windows, const WdcnnOptions& options, const Stream& initial,
                  const Adversity* adversity)
-      : train_(std::move(train)),
+      : BatchwiseBackend(std::move(windows)),
         learning_rate_(options.learning_rate),
-        most_windows_(largest_batch(static_cast<std::int64_t>(train_.size()), options.batch)),
-        network_(static_cast<std::int64_t>(train_.length),
-                 static_cast<std::int64_t>(train_.classes),
+        most_windows_(largest_batch(static_cast<std::int64_t>(train().size()), options.batch)),
+        network_(static_cast<std::int64_t>(train().length),
+                 static_cast<std::int64_t>(train().classes),
                  most_windows_ * (adversity == nullptr ? 1 : 2), initial),
         adam_(network_.values().size()) {
     if (adversity == nullptr) return;
-    const auto windows = static_cast<std::int64_t>(train_.size());
-    const std::int64_t steps = std::ssize(batch_bounds(windows, options.batch)) - 1;
-    adversary_.emplace(*adversity, train_.length, static_cast<std::int64_t>(train_.classes),
+    const auto count = static_cast<std::int64_t>(train().size());
+    const std::int64_t steps = std::ssize(batch_bounds(count, options.batch)) - 1;
+    adversary_.emplace(*adversity, train().length, static_cast<std::int64_t>(train().classes),
                        most_windows_, options.epochs * steps, options.learning_rate, initial);
   }
-
-  void begin_epoch(std::span<const std::size_t> order) override {
-    windows_.clear();
-    labels_.clear();
-    for (const std::size_t i : order) {
-      windows_.push_back(train_.samples.data() + i * train_.length);
-      labels_.push_back(train_.labels[i]);
-    }
-    sums_ = {};
-  }
-
-  void step(std::int64_t begin, std::int64_t end) override {
-    const auto first = static_cast<std::size_t>(begin);
-    const auto count = static_cast<std::size_t>(end - begin);
-    const std::span<const float* const> labelled = std::span(windows_).subspan(first, count);
-    network_.forward(adversary_ ? adversary_->joined(labelled) : labelled, Network::Mode::training);
-    const BatchOutcome batch =
-        network_.backward(std::span(labels_).subspan(first, count),
-                          adversary_ ? adversary_->gradient(network_) : std::span<const float>{});
-    adam_.step(network_.values().data(), network_.gradients().data(), learning_rate_);
-    sums_.loss += batch.loss;
-    sums_.correct += batch.correct;
-  }
-
-  BatchOutcome finish_epoch() override { return sums_; }
 
   Outputs outputs(const LabelledWindows& windows) override {
     return outputs_of(network_, most_windows_, windows);
@@ -76,16 +52,20 @@ class OneCoreBackend final : public WdcnnBackend {
   [[nodiscard]] WdcnnWeights weights() const override { return network_.weights(); }
 
  private:
-  LabelledWindows train_;
+  BatchOutcome learn(std::span<const float* const> windows,
+                     std::span<const Label> labels) override {
+    network_.forward(adversary_ ? adversary_->joined(windows) : windows, Network::Mode::training);
+    const BatchOutcome batch = network_.backward(
+        labels, adversary_ ? adversary_->gradient(network_) : std::span<const float>{});
+    adam_.step(network_.values().data(), network_.gradients().data(), learning_rate_);
+    return batch;
+  }
+
   double learning_rate_;
   std::int64_t most_windows_;  ///< in a batch
   Network network_;
   nets::Adam<float> adam_;
   std::optional<Adversary> adversary_;
-  // Training windows in the order of the epoch:
-  std::vector<const float*> windows_;  ///< pointers into train_
-  std::vector<Label> labels_;
-  BatchOutcome sums_;
 };
 
 }  // namespace
