@@ -10,9 +10,12 @@
 #include "diagnosis/one_core_backend.hpp"
 #include "diagnosis/sets.hpp"
 #include "diagnosis/train_and_test.hpp"
+#include "diffusion/example_batch.hpp"
+#include "diffusion/model.hpp"
 #include "latent/example_task.hpp"
 #include "latent/vae.hpp"
 #include "latent/wgan_gp.hpp"
+#include "libtorch/diffusion/backend.hpp"
 #include "libtorch/latent/backends.hpp"
 #include "libtorch/nets/torch.hpp"
 #include "libtorch/twin/backend.hpp"
@@ -103,6 +106,25 @@ TEST_F(OnCuda, TheWganGpSteps) {
   const latent::WganGpOptions options{.critic_steps = 2};
   expect_equal_steps(*latent::wgan_gp(task, options, Stream("initial"), Device::cpu),
                      *libtorch::wgan_gp(task, options, Stream("initial"), Device::cuda));
+}
+
+TEST_F(OnCuda, BothNetworksOfADiffusionStep) {
+  using namespace diffusion;
+  const Networks networks =
+      networks_of(64, 3, {{.channels = 32, .blocks = 3}, {.channels = 16, .blocks = 2}});
+  const auto ours = one_core_diffusion(networks, 4, Stream("initial"), Device::cpu);
+  const auto theirs = libtorch::diffusion_backend(networks, 4, Stream("initial"), Device::cuda);
+  ASSERT_EQ(ours->values(), theirs->values());
+  const NoisyBatch batch = example_batch(64, 4);
+  const std::vector<float> wanted = example_velocities(batch);
+  for (std::size_t trained = 0; trained < networks.size(); ++trained) {
+    EXPECT_LT(relative_difference(theirs->velocities(batch, trained + 1),
+                                  ours->velocities(batch, trained + 1)),
+              1e-4);
+    const double own = ours->step(trained, batch, wanted, 1e-3);
+    EXPECT_NEAR(theirs->step(trained, batch, wanted, 1e-3), own, 1e-5 * own);
+    EXPECT_LT(relative_difference(theirs->values(), ours->values()), after_adam);
+  }
 }
 
 /// Uses steps too small for learning, so the networks stay equal and rounding does not grow.
