@@ -56,21 +56,24 @@ test_stored_parts_are_skipped_until_programs_or_settings_change() {
   rm requests
   expect_line "$(reference_all)" '^reference-all: zero is stored$'
   [[ ! -e requests ]] || fail "made again: $(<requests)"
+  local first
+  first=$(commit_of)
   echo "# another value" >>pipeline/protocol.toml
   expect_line "$(reference_all 2>&1 || true)" 'differ from their last commit'
   [[ ! -e requests ]] || fail "made from what was not committed: $(<requests)"
   commit
   all_parts
-  expect_line "$(<requests)" '^verdicts RUN=zero'
+  expect_line "$(<requests)" "^verdicts .* RUN=zero-$(commit_of)"
+  expect_no_line "$(<requests)" "RUN=zero-$first"
   expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
 }
 
 test_a_failed_part_is_not_stored_and_the_same_command_continues_with_it() {
   lay_out
-  echo "verdicts RUN=zero" >broken
+  echo "verdicts CLASSIFIERS" >broken
   expect_exit 1 reference_all
   expect_no_line "$(<$list)" '^zero,'
-  expect_no_line "$(<requests)" '^reference RUN=zero'
+  expect_no_line "$(<requests)" '^reference .*RUN=zero'
   expect_line "$(<$list)" '^cwru,'
   rm broken requests
   all_parts
