@@ -31,6 +31,14 @@ memory::desc any(const Dims& dims) {
   return {dims, memory::data_type::f32, memory::format_tag::any};
 }
 
+Dims dims_of(const memory::desc& layout) {
+#if DNNL_VERSION_MAJOR >= 3
+  return layout.get_dims();
+#else
+  return layout.dims();
+#endif
+}
+
 /// Describes a primitive, by oneDNN 2 or 3.
 template <class Primitive, class... Arguments>
 typename Primitive::primitive_desc describe(const dnnl::engine& engine,
@@ -184,7 +192,7 @@ OnednnBackend::Parameter OnednnBackend::parameter(const std::string& name,
   const auto spec = std::ranges::find(specs_, name, &nets::ParameterSpec::name);
   std::vector<double> initial = nets::initial_values(*spec, *initial_);
   std::vector<float> rounded(initial.begin(), initial.end());
-  const memory::desc own = plain(layout.dims());
+  const memory::desc own = plain(dims_of(layout));
   memory from(own, engine_, rounded.data());
   const std::size_t at = values_.size();
   constexpr std::size_t granule = 16;  // floats of a cache line
@@ -208,7 +216,7 @@ memory OnednnBackend::in_layout(const memory& from, const memory::desc& layout,
 
 Value OnednnBackend::convolve(std::size_t i, const Value& from, bool by_input) {
   const Convolution& c = WdcnnLayers::convolutions.at(i);
-  const Dims from_dims = from.value.get_desc().dims();
+  const Dims from_dims = dims_of(from.value.get_desc());
   const Dims to_dims{batch_, c.outputs, 1, c.output_length(from_dims[3])};
   const Dims weight_dims{c.outputs, c.inputs, 1, c.width};
   const Dims stride{1, c.stride};
@@ -257,7 +265,7 @@ Value OnednnBackend::convolve(std::size_t i, const Value& from, bool by_input) {
 }
 
 Value OnednnBackend::dense(const std::string& name, const Value& from, bool with_bias) {
-  const Dims from_dims = from.value.get_desc().dims();
+  const Dims from_dims = dims_of(from.value.get_desc());
   const std::int64_t outputs = with_bias ? classes : WdcnnLayers::hidden;
   Dims weight_dims = from_dims;
   weight_dims[0] = outputs;
@@ -299,8 +307,8 @@ Value OnednnBackend::dense(const std::string& name, const Value& from, bool with
 
 /// Copies [batch, channels, 1, 1] to [batch, channels], and the gradient back.
 Value OnednnBackend::flatten(const Value& from) {
-  const memory::desc flat = plain({batch_, from.value.get_desc().dims()[1]});
-  const memory::desc four = plain(from.value.get_desc().dims());
+  const memory::desc flat = plain({batch_, dims_of(from.value.get_desc())[1]});
+  const memory::desc four = plain(dims_of(from.value.get_desc()));
   const Value to{scratch(flat), scratch(flat)};
   copy(from.value, memory(four, engine_, to.value.get_data_handle()), forward_);
   std::vector<Call> calls;
@@ -311,7 +319,7 @@ Value OnednnBackend::flatten(const Value& from) {
 
 Value OnednnBackend::normalise(const std::string& name, const Value& from) {
   const memory::desc layout = from.value.get_desc();
-  const Dims channels{layout.dims()[1]};
+  const Dims channels{dims_of(layout)[1]};
   const auto forward = describe_normalisation(engine_, layout);
   const auto back = describe_normalisation_backward(engine_, forward, layout);
   const Parameter scale = parameter(name + "/scale", plain(channels));
@@ -328,23 +336,23 @@ Value OnednnBackend::normalise(const std::string& name, const Value& from) {
                        {DNNL_ARG_SCALE, scale.value},
                        {DNNL_ARG_SHIFT, shift.value},
                        {DNNL_ARG_WORKSPACE, workspace}}});
-  add_backward({{dnnl::batch_normalization_backward(back),
-                 {{DNNL_ARG_SRC, from.value},
-                  {DNNL_ARG_MEAN, mean},
-                  {DNNL_ARG_VARIANCE, variance},
-                  {DNNL_ARG_SCALE, scale.value},
-                  {DNNL_ARG_SHIFT, shift.value},
-                  {DNNL_ARG_DIFF_DST, to.gradient},
-                  {DNNL_ARG_DIFF_SRC, from.gradient},
-                  {DNNL_ARG_DIFF_SCALE, scale.gradient},
-                  {DNNL_ARG_DIFF_SHIFT, shift.gradient},
-                  {DNNL_ARG_WORKSPACE, workspace}}}});
+  Arguments backward{{DNNL_ARG_SRC, from.value},
+                     {DNNL_ARG_MEAN, mean},
+                     {DNNL_ARG_VARIANCE, variance},
+                     {DNNL_ARG_SCALE, scale.value},
+                     {DNNL_ARG_DIFF_DST, to.gradient},
+                     {DNNL_ARG_DIFF_SRC, from.gradient},
+                     {DNNL_ARG_DIFF_SCALE, scale.gradient},
+                     {DNNL_ARG_DIFF_SHIFT, shift.gradient},
+                     {DNNL_ARG_WORKSPACE, workspace}};
+  if (DNNL_VERSION_MAJOR < 3) backward.emplace(DNNL_ARG_SHIFT, shift.value);
+  add_backward({{dnnl::batch_normalization_backward(back), backward}});
   return to;
 }
 
 Value OnednnBackend::pool(const Value& from) {
   const memory::desc layout = from.value.get_desc();
-  Dims dims = layout.dims();
+  Dims dims = dims_of(layout);
   dims[3] /= WdcnnLayers::pooling;
   const auto forward = describe_pooling(engine_, layout, any(dims));
   const memory workspace = scratch(forward.workspace_desc());
