@@ -1,5 +1,5 @@
 #!/bin/bash
-# The numbers in the README and in the tables of two pages are those of results/reference.
+# The numbers in the README and in the tables of the pages are those of results/reference.
 # shellcheck source-path=SCRIPTDIR
 source "${0%/*}/support.sh"
 
@@ -169,6 +169,80 @@ test_the_papers_task() {
     method=\`${method#*/}\`
     expect_row "${method/%\`oracle\`/\`oracle\` (real windows)}" "${cells[@]}"
   done
+}
+
+# Prints the mean score of the generated windows of a method, over ten seeds.
+quality() { # stored numbers, method, quantity, decimals
+  rounded "$4" "$(awk -F, -v method="$2" -v quantity="$3" '$1 == method && $4 == quantity { n++; sum += $6 }
+    END { if (n == 10) printf "%.6f", sum / n }' "$reference/$1")"
+}
+
+# Prints the least and the greatest difference of two methods over the six ratios, or of a method and none.
+differences() { # stored numbers, method, other method, decimals
+  local ratio of other
+  for ratio in 50to1 25to1 10to1 5to1 2to1 1to1; do
+    of=$(accuracy "$1" "$2" wdcnn $ratio)
+    other=$(accuracy "$1" "$3" wdcnn "$([[ $3 == none ]] && echo 100to1 || echo $ratio)")
+    rounded "$4" "$(awk -v of="${of%±*}" -v other="${other%±*}" 'BEGIN { printf "%.6f", of - other }')"
+    echo
+  done | sort -g | sed -n '1p; $p'
+}
+
+# Prints how windows of piae-dt compare with real ones: percent of the amplitude, dB between the spectra, dB that fault
+# lines are weaker.
+like_real() { # stored numbers
+  awk -v part="$(quality "$1" piae-dt amplitude_ratio 4)" -v apart="$(quality "$1" piae-dt spectral_distance_db 4)" \
+    -v weaker="$(quality "$1" piae-dt fault_line_difference_db 4)" \
+    'BEGIN { printf "%.0f\n%.0f\n%.1f\n", 100 * part, apart, -weaker }'
+}
+
+test_the_papers_claims() {
+  local cwru hit_sm
+  # Keeps what a command prints of the stored numbers, which are its first argument.
+  of_both() { # command, its further arguments
+    mapfile -t cwru < <("$1" random/cwru.csv "${@:2}")
+    mapfile -t hit_sm < <("$1" random/hit-sm.csv "${@:2}")
+  }
+  said() { expect_said docs/claims.md "$1"; }
+  of_both least_and_most piae-dt
+  said "| ${cwru[0]} to ${cwru[1]}; HIT-SM ${hit_sm[0]} to ${hit_sm[1]} | not reproduced |"
+  of_both differences piae-dt none 1
+  said "| ${cwru[1]} to ${cwru[0]}; HIT-SM ${hit_sm[1]} to ${hit_sm[0]} | not reproduced |"
+  of_both differences ae piae-dt 0
+  said "Model 2 ${cwru[0]} to ${cwru[1]} points"
+  of_both differences physics piae-dt 0
+  said "Model 3 ${cwru[0]} to ${cwru[1]}. HIT-SM"
+  said "Model 3 +${hit_sm[0]} to +${hit_sm[1]} |"
+  of_both least_and_most piae-dt-tcn
+  said "CWRU: $(rounded 0 "${cwru[0]}") to $(rounded 0 "${cwru[1]}") % and"
+  said "HIT-SM: $(rounded 0 "${hit_sm[0]}") to $(rounded 0 "${hit_sm[1]}") and"
+  said "MMD² $(quality random/cwru.csv piae-dt mmd 2) is the highest (\`dynamics\` $(quality random/cwru.csv dynamics mmd 2);"
+  said "RMSE $(quality random/cwru.csv piae-dt rmse 3) third. HIT-SM: $(quality random/hit-sm.csv piae-dt mmd 2), highest; $(
+    quality random/hit-sm.csv piae-dt rmse 3
+  ), second"
+  of_both like_real
+  said "${cwru[0]} % of their amplitude, spectra ${cwru[1]} dB apart, fault lines ${cwru[2]} dB weaker; HIT-SM ${hit_sm[0]} %, \
+${hit_sm[1]} dB, ${hit_sm[2]} dB"
+}
+
+test_the_sweep_of_the_paper() {
+  swept() { # parameter, value
+    awk -v parameter="$1" -v value="$2" -F' *[|] *' '/^[|]/ { if ($4 == "ratio") of = $2 }
+      of == parameter && $2 == value { split($5, numbers, " "); printf "%.1f", numbers[1] + 1e-7 }' \
+      "$reference/random/cwru/sweep.md"
+  }
+  expect_said docs/claims.md "1:1 on CWRU, five seeds: $(swept batch 1) (1), $(swept batch 2) (2), $(swept batch 5) (5), $(
+    swept batch 10
+  ) (10), $(swept batch 20) (20)"
+  expect_said docs/claims.md "$(swept depth 1) (1), $(swept depth 2), $(swept depth 3), $(swept depth 4) (4), $(
+    swept depth 5
+  ), $(swept depth 6) (6)"
+  expect_said docs/claims.md "$(swept loss-weights adaptive), $(swept loss-weights adaptive-without-log), $(
+    swept loss-weights fixed
+  ); spread"
+  expect_said docs/claims.md "$(swept learning-rate 1e-4) (1e-4), $(swept learning-rate 2e-4), $(
+    swept learning-rate 5e-4
+  ) (5e-4), $(swept learning-rate 1e-3), $(swept learning-rate 5e-3) (5e-3)"
 }
 
 test_another_speed_or_size() {
