@@ -17,8 +17,8 @@ endforeach()
 set(home share/piae-dt)
 install(FILES Makefile DESTINATION ${home} COMPONENT programs)
 install(DIRECTORY pipeline jobs DESTINATION ${home} COMPONENT programs USE_SOURCE_PERMISSIONS
-        PATTERN pipeline/lint EXCLUDE PATTERN keep_shown.sh EXCLUDE
-        REGEX "pipeline/(lint|build|deps)\\.sh$" EXCLUDE)
+        PATTERN pipeline/lint EXCLUDE
+        REGEX "pipeline/(lint|build|deps|keep_shown|sums|reference_all)\\.sh$" EXCLUDE)
 install(DIRECTORY results/published DESTINATION ${home}/results COMPONENT programs)
 install(DIRECTORY results/reference DESTINATION ${home}/results COMPONENT programs
         FILES_MATCHING PATTERN "*.csv" PATTERN "any-bearing.h5" PATTERN figures EXCLUDE PATTERN readings EXCLUDE)

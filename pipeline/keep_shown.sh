@@ -1,7 +1,7 @@
 #!/bin/bash
 # Copies the tables and figures of a run to its reference: FOLDER/<dataset>/*.md, verdicts and readings as .csv and .svg,
 # figures/*.csv and *.svg, and for several data sets FOLDER/transfer*@<group>.md, .csv and .svg, and rigs.svg.
-# Then sums up all stored results in results/reference/SHA256SUMS.
+# Then renews results/reference/SHA256SUMS.
 # usage: pipeline/keep_shown.sh results/RUN FOLDER
 set -euo pipefail
 shopt -s nullglob
@@ -21,7 +21,4 @@ for figures in "$run"/*/figures; do
   cp "$figures"/*.csv "$figures"/*.svg "$kept"
   printf 'kept %s\n' "$kept"
 done
-
-cd results/reference
-sums=$(find . -type f ! -name SHA256SUMS -printf '%P\0' | LC_ALL=C sort --zero-terminated | xargs --null --no-run-if-empty sha256sum)
-printf '%s\n' "$sums" >SHA256SUMS
+pipeline/sums.sh

@@ -132,6 +132,7 @@ for part in "${parts[@]}"; do
   minutes=$(awk '{ all += $1 } END { printf "%.0f", all / 60 }' "$time_of")
   { grep -v "^$part," "$list" && echo "$part,$commit,$processor,$minutes"; } >"$list.new"
   mv "$list.new" "$list"
+  pipeline/sums.sh
   echo "reference-all: $part is stored, $minutes min"
 done
 awk -F, 'NR > 1 { all += $NF } END { printf "reference-all: all parts together %.1f h\n", all / 60 }' "$list"

@@ -8,18 +8,21 @@ count = 1; columns = 1
 load scripts.'/panel_grid.gp'
 right_of_sets = 570.0; left_of_mean = 592.0; right_of_mean = 722.0
 
-# Methods: first the one that is subtracted from the others, then those with a recorded input; ceilings apart.
+# Curves are named METHOD@CLASSIFIER: each method by its recorded input, or by all if this run has none of the recorded
+# inputs. First the method that is subtracted from the others; ceilings apart.
+recorded = 0
+stats data using (recorded = recorded + ($6 == 1 && strcol(4) ne "ceiling"), 0) nooutput
+curve(unused) = strcol(4) ne "bar" && ($6 == 1 || recorded == 0) ? strcol(3)."@".strcol(5) : ""
+method_of(m) = m[1:strstrt(m, "@") - 1]
 methods = ""; ceilings = ""; against = ""
-do for [wanted in "against method ceiling"] {
-  do for [m in words_method] {
-    found = 0
-    stats data using (found = found + (strcol(3) eq m && strcol(4) eq wanted && $6 == 1), 0) nooutput
-    if (found) {
-      if (wanted eq "ceiling") { ceilings = ceilings." ".m } else { methods = methods." ".m }
-      if (wanted eq "against") { against = m }
-    }
+do for [wanted in "against method ceiling"] { do for [m in words_method] { do for [c in words_classifier] {
+  found = 0
+  stats data using (found = found + (curve(0) eq m."@".c && strcol(4) eq wanted), 0) nooutput
+  if (found) {
+    if (wanted eq "ceiling") { ceilings = ceilings." ".m."@".c } else { methods = methods." ".m."@".c }
+    if (wanted eq "against") { against = m }
   }
-}
+} } }
 # Classifiers without training, which need no generated window, are lines.
 bars = ""
 do for [c in words_classifier] {
@@ -29,13 +32,7 @@ do for [c in words_classifier] {
 }
 tone(c) = place(c, bars) == 1 ? 0x333333 : 0x888888
 many = words(methods)
-shown_as = ""  # the input of each method, in their order
-do for [m in methods] {
-  chosen = ""
-  stats data using (strcol(3) eq m && $6 == 1 ? (chosen = strcol(5), 0) : 0) nooutput
-  shown_as = shown_as." ".chosen
-}
-entry(m) = m.", ".word(shown_as, place(m, methods))
+entry(m) = method_of(m).", ".m[strstrt(m, "@") + 1:]
 
 # Names of data sets without their common beginning. The last word is their mean.
 sets  = words(words_dataset) - 1
@@ -69,7 +66,7 @@ do for [i = 1:sets] { least = spot(i) < least ? spot(i) : least; most = spot(i) 
 pitch(wide)  = 0.75 * wide / (many > 5 ? many : 5)
 off(m, wide) = (place(m, methods) - (many + 1) / 2.0) * pitch(wide)
 
-of(m)    = strcol(3) eq m && $6 == 1
+of(m)    = curve(0) eq m
 of_bar(c) = strcol(5) eq c && strcol(4) eq "bar"
 set_in(n) = place(strcol(n), words_dataset)
 plain(n) = set_in(n) <= sets ? spot(set_in(n)) : NaN
@@ -79,16 +76,16 @@ is_mean(n) = strcol(n) eq "mean"
 end(n)   = valid(n) ? column(n) : $10
 tint(m)  = colour(place(m, methods))
 symbol(m) = mark(place(m, methods))
-thick(m) = m eq against ? 2.2 : 1.1
-large(m) = m eq against ? 1.0 : 0.7
+thick(m) = method_of(m) eq against ? 2.2 : 1.1
+large(m) = method_of(m) eq against ? 1.0 : 0.7
 
-stats data using ($6 == 1 || strcol(4) eq "bar" ? end(12) : NaN) name "low" nooutput
-stats data using ($6 == 1 || strcol(4) eq "bar" ? $10 : NaN) name "one" nooutput
+stats data using (curve(0) ne "" || strcol(4) eq "bar" ? end(12) : NaN) name "low" nooutput
+stats data using (curve(0) ne "" || strcol(4) eq "bar" ? $10 : NaN) name "one" nooutput
 bottom = floor((low_min < one_min ? low_min : one_min) / 10.0) * 10 - 2
 set yrange [(bottom < 0 ? -2 : bottom):102]
 set label 1 (by_speed ? "Accuracy at a speed other than that of the known faults" : \
   "Accuracy in a condition other than that of the known faults").": ".part
-set label 4 "each method by the input chosen for it beforehand; marks: mean over the seeds and its 95 % interval; dots: seeds" \
+set label 4 (recorded > 0 ? "each method by the input chosen for it beforehand" : "each method by each input")."; marks: mean over the seeds and its 95 % interval; dots: seeds" \
   at screen 0.5, 1 - 36.0 / height center font font_11 textcolor rgb 0x555555
 set label 2 by_speed ? "tested speed divided by the speed at which faults are known (data set".(sets > 6 ? "s" : "")." ".substr(name(1), 1, common)."...)" \
   : sets > 4 ? "data set ".substr(name(1), 1, common)."..." : "data set"
@@ -132,13 +129,17 @@ set xrange [-0.6:0.6]
 set xtics () scale 0 font font_12
 set xtics add ("mean" 0)
 set format y ""
-set key at screen (right_of_mean + 14) / 960, 1 - 1.0 * edge_top / height left top reverse Left vertical samplen 1.5 spacing 1.25 font font_11 noenhanced
+# All entries in one column.
+entries = many + words(ceilings) + words(bars)
+key_font = entries > 20 ? font_10 : font_11
+set key at screen (right_of_mean + 14) / 960, 1 - 1.0 * edge_top / height left top reverse Left vertical maxrows 99 samplen 1.5 \
+  spacing (entries > 20 ? 1 : 1.25) font key_font noenhanced
 plot for [m in methods] data using (of(m) && !is_mean(9) ? middle(m) + 0.35 * pitch(1) : NaN):10 \
        with points pointtype 7 pointsize 0.25 linecolor rgb dots(place(m, methods)) notitle, \
      for [m in methods] data using (of(m) && is_mean(9) ? middle(m) : NaN):10:(end(12)):(end(13)) \
        with yerrorbars pointtype symbol(m) pointsize large(m) linewidth thick(m) linecolor rgb tint(m) title entry(m), \
      for [m in ceilings] data using (of(m) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
-       with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour title m." (ceiling)", \
+       with vectors nohead linewidth 1.6 dashtype 2 linecolor rgb ceiling_colour title method_of(m)." (ceiling)", \
      for [c in bars] data using (of_bar(c) && is_mean(9) && is_mean(1) ? -0.6 : NaN):10:(1.2):(0) \
        with vectors nohead linewidth 1.6 dashtype 3 linecolor rgb tone(c) title "none by ".c
 unset multiplot

@@ -134,6 +134,36 @@ test_figures_of_a_few_numbers_are_drawn_without_warnings() {
   done
 }
 
+# Prints the texts of a picture that lie within its width.
+texts_inside() { # picture
+  tr '\n' ' ' <"$1" | sed 's/<g transform="translate(/\n/g' |
+    sed -nE 's/^([0-9.]+),[0-9.]+[^>]*>[[:space:]]*<text>(.*)<\/text>.*/\1 \2/p' |
+    sed -E 's/<[^>]+>//g' | awk '$1 > 0 && $1 < 960 { sub(/^[^ ]+ */, ""); print }'
+}
+
+test_the_legend_names_every_method() {
+  lay_out
+  local sample=$project/tests/slow/pipeline/figures/transfer@sizes.csv i
+  { # many methods
+    cat "$sample"
+    for i in {1..20}; do sed -n "/,none,method,/s/,none,/,rival-$i,/p" "$sample"; done
+  } >"$drawn/transfer@many.csv"
+  pipeline/figures/draw.sh "$drawn/transfer@many.csv"
+  texts_inside "$drawn/transfer@many.svg" >texts
+  for i in {1..20}; do expect_line "$(<texts)" "^rival-$i, wdcnn-spectra *$"; done
+  expect_line "$(<texts)" '^strike-twin, wdcnn-spectra *$'
+  expect_line "$(<texts)" '^none by nearest *$'
+
+  # A run with other classifiers than the recorded ones.
+  sed 's/,1,1,1to1,/,0,0,1to1,/' "$sample" >"$drawn/transfer@others.csv"
+  pipeline/figures/draw.sh "$drawn/transfer@others.csv"
+  texts_inside "$drawn/transfer@others.svg" >texts
+  for i in none strike-twin; do
+    expect_line "$(<texts)" "^$i, wdcnn *$"
+    expect_line "$(<texts)" "^$i, wdcnn-spectra *$"
+  done
+}
+
 # A panel for each group whose speed changes.
 test_tables_of_several_groups_are_joined() {
   lay_out
