@@ -104,9 +104,22 @@ adaptation() {
   store classifiers PROTOCOL=blocked REFERENCE=results/reference/classifiers
 }
 
+# What each part of our twins is worth, on the tuning seeds.
+effects() {
+  local seeds="100 101 102 103 104"
+  run effects tables DATASETS="$speeds $sizes" METHODS="none strike-twin" RATIOS="100to1 1to1" SEEDS="$seeds" \
+    CLASSIFIERS=wdcnn-spectra
+  run effects sweep DATASETS="$speeds $sizes" METHODS=strike-twin SEEDS="$seeds"
+  run effects tables PROTOCOL=blocked DATASETS=cwru-types-zero METHODS="none piae-dt-zero" RATIOS="100to1 1to1" \
+    SEEDS="$seeds" CLASSIFIERS=symptom-net
+  run effects sweep PROTOCOL=blocked DATASETS=cwru-types-zero METHODS=piae-dt-zero SEEDS="$seeds"
+  store effects REFERENCE=results/reference/effects
+  store effects PROTOCOL=blocked REFERENCE=results/reference/effects
+}
+
 # ---- which parts are due ------------------------------------------------------------------------
 parts=(conditions-speeds conditions-sizes rivals-hit-sm adaptation rivals-cwru classifiers cwru hit-sm zero
-  conditions-uestc readings)
+  conditions-uestc readings effects)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 
 [[ ! $(git status --porcelain -- "${decisive[@]}") ]] || {

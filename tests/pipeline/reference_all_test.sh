@@ -79,7 +79,7 @@ test_a_failed_part_is_not_stored_and_the_same_command_continues_with_it() {
   expect_line "$(<$list)" '^cwru,'
   rm broken requests
   all_parts
-  expect_no_line "$(<requests)" '^sweep'
+  expect_no_line "$(<requests)" '^sweep DATASETS=cwru '
   expect_line "$(<$list)" '^zero,'
 }
 
