@@ -104,7 +104,7 @@ adaptation() {
   store classifiers PROTOCOL=blocked REFERENCE=results/reference/classifiers
 }
 
-# What each part of our twins is worth, on the tuning seeds.
+# Measures the effect of each part of our twins, on the tuning seeds.
 effects() {
   local seeds="100 101 102 103 104"
   run effects tables DATASETS="$speeds $sizes" METHODS="none strike-twin" RATIOS="100to1 1to1" SEEDS="$seeds" \

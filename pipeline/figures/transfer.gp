@@ -80,8 +80,7 @@ thick(m) = method_of(m) eq against ? 2.2 : 1.1
 large(m) = method_of(m) eq against ? 1.0 : 0.7
 
 stats data using (curve(0) ne "" || strcol(4) eq "bar" ? end(12) : NaN) name "low" nooutput
-stats data using (curve(0) ne "" || strcol(4) eq "bar" ? $10 : NaN) name "one" nooutput
-bottom = floor((low_min < one_min ? low_min : one_min) / 10.0) * 10 - 2
+bottom = floor(low_min / 10.0) * 10 - 2
 set yrange [(bottom < 0 ? -2 : bottom):102]
 set label 1 (by_speed ? "Accuracy at a speed other than that of the known faults" : \
   "Accuracy in a condition other than that of the known faults").": ".part

@@ -5,34 +5,31 @@ source "${0%/*}/support.sh"
 
 reference=$project/results/reference
 
-# Prints mean±deviation of the accuracy of a method in percent, over ten seeds, with six decimals.
-accuracy() { # stored numbers, method, classifier, ratio
-  awk -F, -v method="$2" -v classifier="$3" -v ratio="$4" '
-    $1 == method && $2 == classifier && $3 == ratio && $4 == "accuracy" {
-      n++; sum += $6; squares += $6 * $6
-    }
+# Prints mean±deviation of ten seeds' values, one in a line, with six decimals; or how many there are, if not ten.
+spread() {
+  awk '{ n++; sum += $1; squares += $1 * $1 }
     END {
       if (n != 10) { print n + 0 " seeds"; exit }
       mean = sum / n
-      printf "%.6f±%.6f\n", 100 * mean, 100 * sqrt((squares - n * mean * mean) / (n - 1) + 1e-12)
-    }' "$reference/$1"
+      printf "%.6f±%.6f\n", mean, sqrt((squares - n * mean * mean) / (n - 1) + 1e-12)
+    }'
 }
 
-# Prints mean±deviation of the accuracy in another condition, over the seeds: of one data set, or the mean over all; by
-# the classifier that was chosen on the tuning seeds, or by this one. `column` is accuracy or kind (of the fault type
-# alone).
+# Prints mean±deviation of the accuracy of a method in percent.
+accuracy() { # stored numbers, method, classifier, ratio
+  awk -F, -v method="$2" -v classifier="$3" -v ratio="$4" '
+    $1 == method && $2 == classifier && $3 == ratio && $4 == "accuracy" { printf "%.9f\n", 100 * $6 }' "$reference/$1" | spread
+}
+
+# Prints mean±deviation of the accuracy in another condition: of one data set, or the mean over all; by the classifier
+# that was chosen on the tuning seeds, or by this one. `column` is accuracy or kind (of the fault type alone).
 transferred() { # stored table, method, [data set or '', [column, [classifier]]]
   awk -F, -v method="$2" -v dataset="${3-}" -v column="${4:-accuracy}" -v classifier="${5-}" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
     $at["method"] != method || $at["seed"] !~ /^[0-9]+$/ || dataset != "" && $1 != dataset { next }
     classifier ? $at["classifier"] != classifier : !$at[column == "kind" ? "kind_recorded" : "recorded"] { next }
     { sum[$at["seed"]] += $at[column]; count[$at["seed"]]++ }
-    END {
-      for (seed in sum) { n++; x = sum[seed] / count[seed]; all += x; squares += x * x }
-      if (n != 10) { print n + 0 " seeds"; exit }
-      mean = all / n
-      printf "%.6f±%.6f\n", mean, sqrt((squares - n * mean * mean) / (n - 1) + 1e-12)
-    }' "$reference/$1"
+    END { for (seed in sum) printf "%.9f\n", sum[seed] / count[seed] }' "$reference/$1" | spread
 }
 
 # Prints a cell of a stored page: of the first table below the heading with such a column and such a row. A row is named
@@ -78,7 +75,7 @@ of_blind() { # judge, column
   cell random/cwru-blind/verdicts.md 'Right verdicts, by how clearly a record shows its fault' "$1" "$2"
 }
 
-# The three data sets without a known fault, by their folders and by a classifier without generated windows.
+# Prints the accuracy of a classifier without generated windows on the four data sets without a known fault.
 untaught() { # decimals, classifier
   local dataset
   for dataset in cwru hit-sm uestc uestc-true; do
@@ -294,8 +291,9 @@ test_no_fault_known() {
       "$1" answered | tr -d ' ')"
   }
   for classifier in envelope-rule exclusion-rule any-bearing; do
-    expect_row "\`$classifier\`" "$(percent blocked/cwru-types-zero.csv none $classifier 100to1)" "$(decided none $classifier '10 windows')" \
-      "$(decided none $classifier '60 windows')" "$(answered none $classifier)"
+    expect_row "\`$classifier\`" "$(percent blocked/cwru-types-zero.csv none $classifier 100to1)" \
+      "$(decided none $classifier '10 windows')" "$(decided none $classifier '60 windows')" \
+      "$(answered none $classifier)"
     mapfile -t cells < <(untaught 1 $classifier)
     expect_said docs/results.md "| \`$classifier\` | ${cells[1]} | ${cells[2]} | ${cells[3]}"
   done
