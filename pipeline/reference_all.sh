@@ -20,10 +20,15 @@ types_zero="cwru-types-zero hit-sm-types-zero uestc-types-zero uestc-true-types-
 short_zero="cwru-types-zero-1024 hit-sm-types-zero-1024"
 one_speed="hit-sm-types-zero-600 hit-sm-types-zero-900 hit-sm-types-zero-1200"
 other_speed="hit-sm-types-1200to600 hit-sm-types-1200to900"
+adapting="wdcnn-orders dann cdan"
 
 names() { compgen -G "pipeline/datasets/$1.toml" | sed 's#.*/##; s#\.toml$##' | xargs; } # of data sets, by a pattern
 run() { "$make" "${@:2}" RUN="$1-$commit" DATA_DIR="$DATA_DIR" BIN="$BIN"; } # run, target, variable...
 store() { run "$1" reference "${@:2}"; }
+store_tables() { # run, variable...: in a folder with the run's name, of the figures only those of cost
+  store "$@" REFERENCE="results/reference/$1"
+  find "results/reference/$1" -path '*/figures/*' ! -name 'cost.*' -delete
+}
 
 # ---- the parts, each below two hours on two cores -----------------------------------------------
 cwru() {
@@ -84,24 +89,26 @@ rivals-cwru() { rivals cwru; }
 rivals-hit-sm() { rivals hit-sm; }
 rivals() { # data set
   run rivals all DATASETS="$1" METHODS="$rivals"
-  store rivals REFERENCE=results/reference/rivals
+  store_tables rivals
 }
 classifiers() {
   run classifiers all DATASETS="cwru hit-sm" METHODS="none shift strike-twin aligned-mixup spectral" \
     CLASSIFIERS="prototypes nearest-orders wdcnn-orders"
-  store classifiers REFERENCE=results/reference/classifiers
+  store_tables classifiers
 }
 # Without overlaps, because dann and cdan see windows of D.
-adaptation() {
-  local those="wdcnn-orders dann cdan"
-  run classifiers transfer PROTOCOL=blocked DATASETS="$speeds $sizes" METHODS="none shift strike-twin" \
-    CLASSIFIERS="nearest-orders $those"
+adaptation-uestc() {
   run classifiers tables PROTOCOL=blocked DATASETS="uestc-800to1200 uestc-1200to800 uestc-1000to1400" \
-    SEEDS="0 1 2 3 4" RATIOS="100to1 1to1" CLASSIFIERS="nearest-orders $those" \
+    SEEDS="0 1 2 3 4" RATIOS="100to1 1to1" CLASSIFIERS="nearest-orders $adapting" \
     METHODS="none shift strike-twin ddpm ddpm-angle ddpm-healthy ddpm-healthy-angle flow flow-angle"
+  store_tables classifiers PROTOCOL=blocked
+}
+adaptation() {
+  run classifiers transfer PROTOCOL=blocked DATASETS="$speeds $sizes" METHODS="none shift strike-twin" \
+    CLASSIFIERS="nearest-orders $adapting"
   run classifiers tables PROTOCOL=blocked DATASETS="cwru-types-zero hit-sm-types-zero" RATIOS=1to1 \
-    METHODS="healthy-plus-impulses piae-dt-zero" CLASSIFIERS="$those symptom-net"
-  store classifiers PROTOCOL=blocked REFERENCE=results/reference/classifiers
+    METHODS="healthy-plus-impulses piae-dt-zero" CLASSIFIERS="$adapting symptom-net"
+  store_tables classifiers PROTOCOL=blocked
 }
 
 # Measures the effect of each part of our twins, on the tuning seeds.
@@ -118,7 +125,7 @@ effects() {
 }
 
 # ---- which parts are due ------------------------------------------------------------------------
-parts=(conditions-speeds conditions-sizes rivals-hit-sm adaptation rivals-cwru classifiers cwru hit-sm zero
+parts=(conditions-speeds conditions-sizes rivals-hit-sm adaptation-uestc adaptation rivals-cwru classifiers cwru hit-sm zero
   conditions-uestc readings effects)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 
