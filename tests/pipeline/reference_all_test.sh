@@ -5,7 +5,8 @@ source "${0%/*}/support.sh"
 
 list=results/reference/parts.csv
 
-# Makes the folder a repository, and a make that prints its request and fails for the one in the file `broken`.
+# Makes the folder a repository, and a make that notes its request, fails for the one in the file `broken`, and stores two
+# figures and a table.
 lay_out() {
   mkdir -p src stages results/reference
   touch CMakeLists.txt src/code stages/code
@@ -14,7 +15,12 @@ lay_out() {
   cat >remake <<'MAKE'
 #!/bin/bash
 echo "$*" >>requests
-[[ ! -e broken ]] || ! grep -qF "$(<broken)" <<<"$*"
+[[ ! -e broken ]] || ! grep -qF "$(<broken)" <<<"$*" || exit 1
+[[ $1 == reference ]] || exit 0
+folder=results/reference/random
+for word; do [[ $word != REFERENCE=* ]] || folder=${word#*=}/random; done
+mkdir -p "$folder/cwru/figures"
+touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,gains}.svg
 MAKE
   chmod +x remake
 }
@@ -49,11 +55,22 @@ test_every_computed_run_is_stored() {
   done < <(grep -v '^reference' requests | grep -oE 'RUN=[^ ]+' | sort -u)
 }
 
+test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
+  lay_out
+  all_parts
+  local folder
+  for folder in rivals classifiers; do
+    expect_equal "$(cd results/reference/$folder && find . -type f | LC_ALL=C sort | xargs)" \
+      './random/cwru/figures/cost.svg ./random/cwru/tables.md'
+  done
+  expect_line "$(ls results/reference/random/cwru/figures)" '^gains.svg$'
+}
+
 test_stored_parts_are_skipped_until_programs_or_settings_change() {
   lay_out
   all_parts
   expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
-  expect_equal "$(cut -d' ' -f3 results/reference/SHA256SUMS)" parts.csv
+  expect_line "$(cut -d' ' -f3 results/reference/SHA256SUMS)" '^parts.csv$'
   (cd results/reference && sha256sum --check --quiet SHA256SUMS) || fail "the sums are older than the parts"
   rm requests
   expect_line "$(reference_all)" '^reference-all: zero is stored$'
