@@ -21,16 +21,17 @@ accuracy() { # stored numbers, method, classifier, ratio
     $1 == method && $2 == classifier && $3 == ratio && $4 == "accuracy" { printf "%.9f\n", 100 * $6 }' "$reference/$1" | spread
 }
 
-# Prints mean±deviation of the accuracy in another condition: of one data set, or the mean over all; by the classifier
-# that was chosen on the tuning seeds, or by this one. `column` is accuracy or kind (of the fault type alone).
-transferred() { # stored table, method, [data set or '', [column, [classifier]]]
+# Prints the accuracy of each seed in another condition: of one data set, or the mean over all; by the classifier that was
+# chosen on the tuning seeds, or by this one. `column` is accuracy or kind (of the fault type alone).
+of_seeds() { # stored table, method, [data set or '', [column, [classifier]]]
   awk -F, -v method="$2" -v dataset="${3-}" -v column="${4:-accuracy}" -v classifier="${5-}" '
     NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
     $at["method"] != method || $at["seed"] !~ /^[0-9]+$/ || dataset != "" && $1 != dataset { next }
     classifier ? $at["classifier"] != classifier : !$at[column == "kind" ? "kind_recorded" : "recorded"] { next }
     { sum[$at["seed"]] += $at[column]; count[$at["seed"]]++ }
-    END { for (seed in sum) printf "%.9f\n", sum[seed] / count[seed] }' "$reference/$1" | spread
+    END { for (seed in sum) printf "%s %.9f\n", seed, sum[seed] / count[seed] }' "$reference/$1" | sort -n | cut -d' ' -f2
 }
+transferred() { of_seeds "$@" | spread; } # prints mean±deviation
 
 # Prints a cell of a stored page: of the first table below the heading with such a column and such a row. A row is named
 # by its first cell, or by its first cells, separated by |.
@@ -133,7 +134,7 @@ generated windows: $(mean 0 "$(accuracy random/cwru.csv none wdcnn 100to1)")."
     awk '{ print int($1) + 1 }' <<<"$(best_rival $sizes spectral)"
   )."
   twin_by() { mean 0 "$(transferred classifiers/blocked/transfer@sizes.csv strike-twin '' accuracy "$1")"; }
-  expect_said README.md "unlabelled windows of the tested size: $(twin_by dann) (without them $(twin_by wdcnn-orders))."
+  expect_said README.md "unlabelled windows of the tested size: $(twin_by cdan) to $(twin_by dann) (without them $(twin_by wdcnn-orders))."
   identified() {
     awk -v method="$1" -v parameter="$2" -F' *[|] *' '/^## Scatter/ { exit }
       NF > 4 && $2 != "" { of = $2 } NF > 4 && $3 != "" { what = $3 }
@@ -254,6 +255,65 @@ test_another_speed_or_size() {
       "$(elsewhere $sizes $method)")
     expect_row "\`$method\`" "${cells[@]}"
   done
+}
+
+# Prints Wilcoxon's two-sided p of paired differences, one in a line: the share of all changes of their signs that make
+# the sum of signed ranks as large.
+wilcoxon() {
+  awk '$1 != 0 { d[++n] = $1 }
+    function size(x) { return x < 0 ? -x : x }
+    END {
+      for (i = 1; i <= n; i++) {
+        rank[i] = 0.5
+        for (j = 1; j <= n; j++) rank[i] += size(d[j]) < size(d[i]) - 1e-12 ? 1 : size(d[j]) < size(d[i]) + 1e-12 ? 0.5 : 0
+        own += d[i] > 0 ? rank[i] : -rank[i]
+      }
+      for (signs = 0; signs < 2 ^ n; signs++) {
+        sum = 0
+        for (i = 1; i <= n; i++) sum += int(signs / 2 ^ (i - 1)) % 2 ? rank[i] : -rank[i]
+        as_large += size(sum) > size(own) - 1e-9
+      }
+      printf "%.6f\n", as_large / 2 ^ n
+    }'
+}
+
+# Prints p values, one in a line, after the correction of Holm.
+holm() {
+  awk '{ p[NR] = $1 }
+    END {
+      for (step = 1; step <= NR; step++) {
+        least = 0
+        for (i = 1; i <= NR; i++) if (!(i in done) && (!least || p[i] < p[least])) least = i
+        done[least] = 1
+        highest = p[least] * (NR - step + 1) > highest ? p[least] * (NR - step + 1) : highest
+        corrected[least] = highest < 1 ? highest : 1
+      }
+      for (i = 1; i <= NR; i++) printf "%.6f\n", corrected[i]
+    }'
+}
+
+# The ranks 1 to 5 with the sign of the lowest changed: 4 of 32 sums are as large. For 10 differences the least p is 2/1024.
+test_the_tests_of_significance() {
+  expect_equal "$(printf '%s\n' -0.1 0.2 0.3 0.4 0.5 | wilcoxon)" 0.125000
+  expect_equal "$(seq 10 | wilcoxon)" 0.001953
+  expect_equal "$(printf '%s\n' 0.01 0.04 0.03 | holm | xargs)" '0.030000 0.060000 0.060000'
+}
+
+test_what_adaptation_gains() {
+  local group classifier table gains=() p
+  for classifier in dann cdan; do
+    for group in speeds sizes; do
+      table=classifiers/blocked/transfer@$group.csv
+      paste <(of_seeds "$table" strike-twin '' accuracy $classifier) \
+        <(of_seeds "$table" strike-twin '' accuracy wdcnn-orders) | awk '{ printf "%.9f\n", $1 - $2 }' >differences
+      gains+=("$(awk '{ sum += $1 } END { printf "%.1f", sum / NR + 1e-7 }' differences)")
+      wilcoxon <differences >>p_values
+    done
+  done
+  mapfile -t p < <(holm <p_values)
+  expect_said docs/generative-models.md "\`dann\` by ${gains[0]} points at other speeds (p = $(rounded 3 "${p[0]}")) and ${gains[1]} in"
+  expect_said docs/generative-models.md "(p = $(rounded 2 "${p[1]}")), \`cdan\` by ${gains[2]} and ${gains[3]} (p = $(rounded 2 "${p[2]}"))"
+  expect_equal "$(rounded 2 "${p[2]}")" "$(rounded 2 "${p[3]}")"
 }
 
 test_generative_models() {
