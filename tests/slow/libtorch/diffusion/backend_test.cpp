@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "diffusion/example_batch.hpp"
+#include "diffusion/model.hpp"
 #include "support/gradients.hpp"
 
 namespace piae::diffusion {
