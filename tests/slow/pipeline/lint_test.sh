@@ -193,6 +193,8 @@ test_warnings_of_clang_tidy_are_found() {
   copy_of_project
   printf '#pragma once\n\ninline int* nothing() { return 0; }\n' >src/base/nothing.hpp
   expect_finding '^src/base/nothing.hpp:3: use nullptr' tidy src/base/nothing.hpp
+  printf 'int* nothing() { return 0; }\n' >tests/base/nothing_test.cpp
+  expect_finding '^tests/base/nothing_test.cpp:1: use nullptr' tidy tests/base/nothing_test.cpp
 }
 
 test_an_unknown_rule_is_refused() {
