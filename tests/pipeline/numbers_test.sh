@@ -257,6 +257,36 @@ test_another_speed_or_size() {
   done
 }
 
+# Prints the mean over data sets of a stored sweep of strike-twin: the first number in the column of a setting's row.
+swept_twin() { # setting, column, data set...
+  rounded 1 "$(cd "$reference/effects/random" && awk -v setting="$1" -v column="$2" -F' *[|] *' '
+    $2 == "setting" { at = 0; for (i = 3; i < NF; i++) if ($i == column) at = i }
+    $2 == setting && at { split($at, numbers, " "); n++; sum += numbers[1] }
+    END { if (n == 3) printf "%.6f", sum / n }' "${@:3}")"
+}
+
+test_the_effects_of_parts() {
+  local speeds sizes rows row setting zero
+  speeds=(hit-sm-{1200to900,1200to600,600to1200}/sweep@strike-twin.md)
+  sizes=(cwru-sizes-{7,14,21}/sweep@strike-twin.md)
+  rows=('none:as in the grid' 'lag of the known speed:edges=known' "eq. 13's resonance:response=ring"
+    'windows cut at impacts:response=cut' 'no shared structure:own-structure=1' 'known impact rate:rhythm=known'
+    'equal strengths:strengths=alike' 'no background:background=0' 'background of healthy colour:background-from=healthy'
+    'no lag deviation:lag-deviation=0' 'no tilt:tilt=0')
+  for row in "${rows[@]}"; do
+    setting=${row#*:}
+    expect_said docs/strike-twin.md "| ${row%%:*} | $(swept_twin "$setting" accuracy "${speeds[@]}") | $(
+      swept_twin "$setting" 'by fault type' "${speeds[@]}"
+    ) | $(swept_twin "$setting" accuracy "${sizes[@]}") |"
+  done
+  zero=$reference/effects/blocked/cwru-types-zero/sweep@piae-dt-zero.md
+  for setting in level-to-db=10 ball-random=0 stray-knocks=0 both-races=1 path-db=0 load-zone=off; do
+    row=$(awk -v setting="$setting" -F' *[|] *' '$2 == setting {
+      split($5, difference, " "); gsub(/[][]/, "", $6); print difference[1] " (" $6 ")" }' "$zero")
+    expect_said docs/piae-dt-zero.md "(\`$setting\`) | $row |"
+  done
+}
+
 # Prints Wilcoxon's two-sided p of paired differences, one in a line: the share of all changes of their signs that make
 # the sum of signed ranks as large.
 wilcoxon() {
