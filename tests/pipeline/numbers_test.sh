@@ -336,7 +336,7 @@ test_what_adaptation_gains() {
       table=classifiers/blocked/transfer@$group.csv
       paste <(of_seeds "$table" strike-twin '' accuracy $classifier) \
         <(of_seeds "$table" strike-twin '' accuracy wdcnn-orders) | awk '{ printf "%.9f\n", $1 - $2 }' >differences
-      gains+=("$(awk '{ sum += $1 } END { printf "%.1f", sum / NR + 1e-7 }' differences)")
+      gains+=("$(mean 1 "$(spread <differences)")")
       wilcoxon <differences >>p_values
     done
   done
