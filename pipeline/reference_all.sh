@@ -12,8 +12,9 @@ clock=results/.reference # seconds of each attempt at a part
 
 all_of_paper="none dynamics smote vae wgan-gp piae-dt ae physics piae-dt-cnn piae-dt-rnn piae-dt-tcn \
   piae-dt-transformer oversample shift piae-dt-phase strike-twin oracle"
+diffusion="ddpm ddpm-angle ddpm-healthy ddpm-healthy-angle flow flow-angle"
 rivals="none dynamics smote vae wgan-gp piae-dt ae physics oversample shift piae-dt-phase strike-twin mixup \
-  aligned-mixup spectral adasyn borderline-smote ddpm ddpm-angle ddpm-healthy ddpm-healthy-angle flow flow-angle oracle"
+  aligned-mixup spectral adasyn borderline-smote $diffusion oracle"
 speeds="hit-sm-1200to900 hit-sm-1200to600 hit-sm-600to1200"
 sizes="cwru-sizes-7 cwru-sizes-14 cwru-sizes-21"
 types_zero="cwru-types-zero hit-sm-types-zero uestc-types-zero uestc-true-types-zero"
@@ -91,6 +92,11 @@ rivals() { # data set
   run rivals all DATASETS="$1" METHODS="$rivals"
   store_tables rivals
 }
+rivals-conditions() { # adds the quality and cost of windows for another speed and for other sizes
+  run rivals all DATASETS="$speeds $sizes" METHODS="none shift strike-twin $diffusion oracle" SEEDS="0 1 2 3 4" \
+    RATIOS="100to1 1to1" CLASSIFIERS="wdcnn-orders nearest-orders"
+  store_tables rivals
+}
 classifiers() {
   run classifiers all DATASETS="cwru hit-sm" METHODS="none shift strike-twin aligned-mixup spectral" \
     CLASSIFIERS="prototypes nearest-orders wdcnn-orders"
@@ -100,7 +106,7 @@ classifiers() {
 adaptation-uestc() {
   run classifiers tables PROTOCOL=blocked DATASETS="uestc-800to1200 uestc-1200to800 uestc-1000to1400" \
     SEEDS="0 1 2 3 4" RATIOS="100to1 1to1" CLASSIFIERS="nearest-orders $adapting" \
-    METHODS="none shift strike-twin ddpm ddpm-angle ddpm-healthy ddpm-healthy-angle flow flow-angle"
+    METHODS="none shift strike-twin $diffusion"
   store_tables classifiers PROTOCOL=blocked
 }
 adaptation() {
@@ -125,8 +131,8 @@ effects() {
 }
 
 # ---- which parts are due ------------------------------------------------------------------------
-parts=(conditions-speeds conditions-sizes rivals-hit-sm adaptation-uestc adaptation rivals-cwru classifiers cwru hit-sm zero
-  conditions-uestc readings effects)
+parts=(cwru hit-sm conditions-speeds conditions-sizes conditions-uestc zero readings rivals-cwru rivals-hit-sm
+  rivals-conditions classifiers adaptation adaptation-uestc effects)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 
 [[ ! $(git status --porcelain -- "${decisive[@]}") ]] || {
