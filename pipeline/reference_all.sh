@@ -28,7 +28,7 @@ run() { "$make" "${@:2}" RUN="$1-$commit" DATA_DIR="$DATA_DIR" BIN="$BIN"; } # r
 store() { run "$1" reference "${@:2}"; }
 store_tables() { # run, variable...: in a folder with the run's name, of the figures only those of cost
   store "$@" REFERENCE="results/reference/$1"
-  find "results/reference/$1" -path '*/figures/*' ! -name 'cost.*' -delete
+  find "results/reference/$1" -path '*/figures/*' ! -name 'cost*' -delete
 }
 
 # ---- the parts, each below two hours on two cores -----------------------------------------------

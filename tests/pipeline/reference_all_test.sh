@@ -5,7 +5,7 @@ source "${0%/*}/support.sh"
 
 list=results/reference/parts.csv
 
-# Makes the folder a repository, and a make that notes its request, fails for the one in the file `broken`, and stores two
+# Makes the folder a repository, and a make that notes its request, fails for the one in the file `broken`, and stores three
 # figures and a table.
 lay_out() {
   mkdir -p src stages results/reference
@@ -20,7 +20,7 @@ echo "$*" >>requests
 folder=results/reference/random
 for word; do [[ $word != REFERENCE=* ]] || folder=${word#*=}/random; done
 mkdir -p "$folder/cwru/figures"
-touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,gains}.svg
+touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,cost@wdcnn-orders,gains}.svg
 MAKE
   chmod +x remake
 }
@@ -61,7 +61,7 @@ test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
   local folder
   for folder in rivals classifiers; do
     expect_equal "$(cd results/reference/$folder && find . -type f | LC_ALL=C sort | xargs)" \
-      './random/cwru/figures/cost.svg ./random/cwru/tables.md'
+      './random/cwru/figures/cost.svg ./random/cwru/figures/cost@wdcnn-orders.svg ./random/cwru/tables.md'
   done
   expect_line "$(ls results/reference/random/cwru/figures)" '^gains.svg$'
 }
