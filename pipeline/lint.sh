@@ -15,6 +15,12 @@ if (($#)); then
   }
   rules=("$1")
   shift
+  for file; do
+    [[ -e $file ]] || {
+      echo "lint: there is no file or folder '$file'; after the rule, name files of the project" >&2
+      exit 2
+    }
+  done
 fi
 
 total=0 status=0 counts=()

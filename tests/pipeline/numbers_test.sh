@@ -361,30 +361,30 @@ scored() { # pattern of data sets, method, quantity, decimals, factor
   rounded "$4" "$(cat "$reference"/rivals/random/$1.csv | awk -F, -v cell="$2,,,$3" -v factor="$5" '
     $1 "," $2 "," $3 "," $4 == cell { n++; sum += factor * $6 } END { if (n == 15) printf "%.6f", sum / n }')"
 }
-# Sets `range` to the least and the largest of these means of diffusion and flow, `twin` to that of strike-twin.
+# Sets `extent` to the least and the largest of these means of diffusion and flow, `twin` to that of strike-twin.
 compare_scores() { # pattern of data sets, quantity, decimals, factor
   local method
   twin=$(scored "$1" strike-twin "${@:2}")
   mapfile -t sorted < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
     scored "$1" "$method" "${@:2}" && echo
   done | sort -g)
-  range="${sorted[0]} to ${sorted[5]}"
+  extent="${sorted[0]} to ${sorted[5]}"
 }
 
 test_windows_of_diffusion_for_another_condition() {
-  local range twin sorted of_speeds twin_of_speeds page=docs/generative-models.md
+  local extent twin sorted of_speeds twin_of_speeds page=docs/generative-models.md
   local costs="$reference/rivals/random/hit-sm-1200to600/figures/cost@wdcnn-orders.csv"
-  compare_at_speeds() { compare_scores 'hit-sm-*to*' "$@" && of_speeds=$range twin_of_speeds=$twin; }
+  compare_at_speeds() { compare_scores 'hit-sm-*to*' "$@" && of_speeds=$extent twin_of_speeds=$twin; }
   compare_at_speeds fault_line_difference_db 1 -1
   compare_scores 'cwru-sizes-*' fault_line_difference_db 1 -1
-  expect_said $page "$of_speeds dB weaker than real ones at other speeds, $range dB in other sizes"
+  expect_said $page "$of_speeds dB weaker than real ones at other speeds, $extent dB in other sizes"
   expect_said $page "(\`strike-twin\` $twin_of_speeds and $twin)"
   compare_at_speeds spectral_distance_db 1 1
   compare_scores 'cwru-sizes-*' spectral_distance_db 1 1
-  expect_said $page "spectra $of_speeds and $range dB off ($twin_of_speeds and $twin)"
+  expect_said $page "spectra $of_speeds and $extent dB off ($twin_of_speeds and $twin)"
   compare_at_speeds mmd 2 1
   compare_scores 'cwru-sizes-*' mmd 2 1
-  expect_said $page "MMD² is $of_speeds and $range ($twin_of_speeds and $twin)"
+  expect_said $page "MMD² is $of_speeds and $extent ($twin_of_speeds and $twin)"
   mapfile -t sorted < <(awk -F, '/^(ddpm|flow)/ { print $5 }' "$costs" | sort -g)
   twin=$(awk -F, '$1 == "strike-twin" { print $5 }' "$costs")
   expect_said $page "takes $(rounded 0 "${sorted[0]}") to $(rounded 0 "${sorted[5]}") s ($(rounded 1 "$twin"))"
@@ -406,15 +406,13 @@ test_adaptation_on_uestc() {
 }
 
 test_generative_models() {
-  local method ratio dataset cells classifier
+  local method dataset cells classifier
   for method in vae ddpm ddpm-healthy flow ddpm-angle ddpm-healthy-angle flow-angle spectral shift strike-twin \
     piae-dt-phase oracle; do
     cells="| \`$method\`"
     cells=${cells/%\`oracle\`/\`oracle\`, real windows}
     for dataset in cwru hit-sm; do
-      for ratio in 10to1 1to1; do
-        cells+=" | $(mean 1 "$(accuracy rivals/random/$dataset.csv $method wdcnn $ratio)")"
-      done
+      cells+=" | $(mean 1 "$(accuracy rivals/random/$dataset.csv $method wdcnn 1to1)")"
     done
     expect_said docs/generative-models.md "$cells |"
   done

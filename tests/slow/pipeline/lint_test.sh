@@ -197,9 +197,10 @@ test_warnings_of_clang_tidy_are_found() {
   expect_finding '^tests/base/nothing_test.cpp:1: use nullptr' tidy tests/base/nothing_test.cpp
 }
 
-test_an_unknown_rule_is_refused() {
+test_an_unknown_rule_and_a_file_that_is_not_there_are_refused() {
   copy_of_project
   expect_exit 2 pipeline/lint.sh spelling
+  expect_exit 2 pipeline/lint.sh pages english
 }
 
 run_tests "$@"
