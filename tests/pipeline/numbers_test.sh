@@ -361,10 +361,10 @@ scored() { # pattern of data sets, method, quantity, decimals, factor
   rounded "$4" "$(cat "$reference"/rivals/random/$1.csv | awk -F, -v cell="$2,,,$3" -v factor="$5" '
     $1 "," $2 "," $3 "," $4 == cell { n++; sum += factor * $6 } END { if (n == 15) printf "%.6f", sum / n }')"
 }
-# Sets `extent` to the least and the largest of these means of diffusion and flow, `twin` to that of strike-twin.
+# Sets `extent` to the least and the largest of these means of diffusion and flow, `of_twin` to that of strike-twin.
 compare_scores() { # pattern of data sets, quantity, decimals, factor
   local method
-  twin=$(scored "$1" strike-twin "${@:2}")
+  of_twin=$(scored "$1" strike-twin "${@:2}")
   mapfile -t sorted < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
     scored "$1" "$method" "${@:2}" && echo
   done | sort -g)
@@ -372,22 +372,22 @@ compare_scores() { # pattern of data sets, quantity, decimals, factor
 }
 
 test_windows_of_diffusion_for_another_condition() {
-  local extent twin sorted of_speeds twin_of_speeds page=docs/generative-models.md
+  local extent of_twin sorted of_speeds of_twin_at_speeds page=docs/generative-models.md
   local costs="$reference/rivals/random/hit-sm-1200to600/figures/cost@wdcnn-orders.csv"
-  compare_at_speeds() { compare_scores 'hit-sm-*to*' "$@" && of_speeds=$extent twin_of_speeds=$twin; }
+  compare_at_speeds() { compare_scores 'hit-sm-*to*' "$@" && of_speeds=$extent of_twin_at_speeds=$of_twin; }
   compare_at_speeds fault_line_difference_db 1 -1
   compare_scores 'cwru-sizes-*' fault_line_difference_db 1 -1
   expect_said $page "$of_speeds dB weaker than real ones at other speeds, $extent dB in other sizes"
-  expect_said $page "(\`strike-twin\` $twin_of_speeds and $twin)"
+  expect_said $page "(\`strike-twin\` $of_twin_at_speeds and $of_twin)"
   compare_at_speeds spectral_distance_db 1 1
   compare_scores 'cwru-sizes-*' spectral_distance_db 1 1
-  expect_said $page "spectra $of_speeds and $extent dB off ($twin_of_speeds and $twin)"
+  expect_said $page "spectra $of_speeds and $extent dB off ($of_twin_at_speeds and $of_twin)"
   compare_at_speeds mmd 2 1
   compare_scores 'cwru-sizes-*' mmd 2 1
-  expect_said $page "MMD² is $of_speeds and $extent ($twin_of_speeds and $twin)"
+  expect_said $page "MMD² is $of_speeds and $extent ($of_twin_at_speeds and $of_twin)"
   mapfile -t sorted < <(awk -F, '/^(ddpm|flow)/ { print $5 }' "$costs" | sort -g)
-  twin=$(awk -F, '$1 == "strike-twin" { print $5 }' "$costs")
-  expect_said $page "takes $(rounded 0 "${sorted[0]}") to $(rounded 0 "${sorted[5]}") s ($(rounded 1 "$twin"))"
+  of_twin=$(awk -F, '$1 == "strike-twin" { print $5 }' "$costs")
+  expect_said $page "takes $(rounded 0 "${sorted[0]}") to $(rounded 0 "${sorted[5]}") s ($(rounded 1 "$of_twin"))"
 }
 
 test_adaptation_on_uestc() {
