@@ -354,40 +354,43 @@ on_uestc() { # method, classifier
     $1 "," $2 "," $3 "," $4 == cell { n++; sum += 100 * $6 } END { if (n == 15) printf "%.6f", sum / n }')"
 }
 
-# Prints the mean score of a method's windows, times `factor`, over five seeds of three data sets that test another
+# Prints the mean magnitude of a score of a method's windows over five seeds of three data sets that test another
 # condition.
-scored() { # pattern of data sets, method, quantity, decimals, factor
+scored() { # pattern of data sets, method, quantity, decimals
   # shellcheck disable=SC2086 # a pattern
-  rounded "$4" "$(cat "$reference"/rivals/random/$1.csv | awk -F, -v cell="$2,,,$3" -v factor="$5" '
-    $1 "," $2 "," $3 "," $4 == cell { n++; sum += factor * $6 } END { if (n == 15) printf "%.6f", sum / n }')"
+  rounded "$4" "$(cat "$reference"/rivals/random/$1.csv | awk -F, -v cell="$2,,,$3" '
+    $1 "," $2 "," $3 "," $4 == cell { n++; sum += $6 < 0 ? -$6 : $6 } END { if (n == 15) printf "%.6f", sum / n }')"
 }
-# Sets `extent` to the least and the largest of these means of diffusion and flow, `of_twin` to that of strike-twin.
-compare_scores() { # pattern of data sets, quantity, decimals, factor
-  local method
-  of_twin=$(scored "$1" strike-twin "${@:2}")
-  mapfile -t sorted < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
+# Prints the least and the largest of these means of diffusion and flow.
+scored_by_diffusion() { # pattern of data sets, quantity, decimals
+  local method least_first
+  mapfile -t least_first < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
     scored "$1" "$method" "${@:2}" && echo
   done | sort -g)
-  extent="${sorted[0]} to ${sorted[5]}"
+  printf '%s to %s' "${least_first[0]}" "${least_first[5]}"
 }
 
-test_windows_of_diffusion_for_another_condition() {
-  local extent of_twin sorted of_speeds of_twin_at_speeds page=docs/generative-models.md
+test_windows_for_another_condition() {
+  local quantity datasets least_first diffusion='| diffusion, flow' page=docs/generative-models.md
+  local shift="| \`shift\`" twin_row="| \`strike-twin\`"
   local costs="$reference/rivals/random/hit-sm-1200to600/figures/cost@wdcnn-orders.csv"
-  compare_at_speeds() { compare_scores 'hit-sm-*to*' "$@" && of_speeds=$extent of_twin_at_speeds=$of_twin; }
-  compare_at_speeds fault_line_difference_db 1 -1
-  compare_scores 'cwru-sizes-*' fault_line_difference_db 1 -1
-  expect_said $page "$of_speeds dB weaker than real ones at other speeds, $extent dB in other sizes"
-  expect_said $page "(\`strike-twin\` $of_twin_at_speeds and $of_twin)"
-  compare_at_speeds spectral_distance_db 1 1
-  compare_scores 'cwru-sizes-*' spectral_distance_db 1 1
-  expect_said $page "spectra $of_speeds and $extent dB off ($of_twin_at_speeds and $of_twin)"
-  compare_at_speeds mmd 2 1
-  compare_scores 'cwru-sizes-*' mmd 2 1
-  expect_said $page "MMD² is $of_speeds and $extent ($of_twin_at_speeds and $of_twin)"
-  mapfile -t sorted < <(awk -F, '/^(ddpm|flow)/ { print $5 }' "$costs" | sort -g)
-  of_twin=$(awk -F, '$1 == "strike-twin" { print $5 }' "$costs")
-  expect_said $page "takes $(rounded 0 "${sorted[0]}") to $(rounded 0 "${sorted[5]}") s ($(rounded 1 "$of_twin"))"
+  for quantity in 'fault_line_difference_db 1' 'spectral_distance_db 1' 'mmd 2'; do
+    for datasets in 'hit-sm-*to*' 'cwru-sizes-*'; do
+      # shellcheck disable=SC2086 # a quantity and its decimals
+      {
+        diffusion+=" | $(scored_by_diffusion "$datasets" $quantity)"
+        shift+=" | $(scored "$datasets" shift $quantity)"
+        twin_row+=" | $(scored "$datasets" strike-twin $quantity)"
+      }
+    done
+  done
+  expect_said $page "$diffusion |"
+  expect_said $page "$shift |"
+  expect_said $page "$twin_row |"
+  mapfile -t least_first < <(awk -F, '/^(ddpm|flow)/ { print $5 }' "$costs" | sort -g)
+  expect_said $page "take $(rounded 0 "${least_first[0]}") to $(rounded 0 "${least_first[5]}") s (Zen 4), \`strike-twin\` $(
+    rounded 1 "$(awk -F, '$1 == "strike-twin" { print $5 }' "$costs")"
+  ) s."
 }
 
 test_adaptation_on_uestc() {
@@ -407,7 +410,7 @@ test_adaptation_on_uestc() {
 
 test_generative_models() {
   local method dataset cells classifier
-  for method in vae ddpm ddpm-healthy flow ddpm-angle ddpm-healthy-angle flow-angle spectral shift strike-twin \
+  for method in vae ddpm ddpm-healthy flow ddpm-angle ddpm-healthy-angle flow-angle shift strike-twin \
     piae-dt-phase oracle; do
     cells="| \`$method\`"
     cells=${cells/%\`oracle\`/\`oracle\`, real windows}
