@@ -17,7 +17,7 @@ if (($#)); then
   shift
   for file; do
     [[ -e $file ]] || {
-      echo "lint: there is no file or folder '$file'; after the rule, name files of the project" >&2
+      echo "lint: '$file' does not exist; after the rule, name files or folders" >&2
       exit 2
     }
   done

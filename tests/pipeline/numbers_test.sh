@@ -346,6 +346,15 @@ test_what_adaptation_gains() {
   expect_equal "$(rounded 2 "${p[2]}")" "$(rounded 2 "${p[3]}")"
 }
 
+# Prints the least and the largest number of diffusion and flow.
+range_of_diffusion() { # function that prints the number of its first argument, a method; its other arguments
+  local method least_first
+  mapfile -t least_first < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
+    "$1" "$method" "${@:2}" && echo
+  done | sort -g)
+  printf '%s to %s' "${least_first[0]}" "${least_first[5]}"
+}
+
 # Prints a method's mean accuracy over five seeds of three pairs of speeds of UESTC.
 on_uestc() { # method, classifier
   local ratio=1to1
@@ -356,20 +365,11 @@ on_uestc() { # method, classifier
 
 # Prints the mean magnitude of a score of a method's windows over five seeds of three data sets that test another
 # condition.
-scored() { # pattern of data sets, method, quantity, decimals
+scored() { # method, pattern of data sets, quantity, decimals
   # shellcheck disable=SC2086 # a pattern
-  rounded "$4" "$(cat "$reference"/rivals/random/$1.csv | awk -F, -v cell="$2,,,$3" '
+  rounded "$4" "$(cat "$reference"/rivals/random/$2.csv | awk -F, -v cell="$1,,,$3" '
     $1 "," $2 "," $3 "," $4 == cell { n++; sum += $6 < 0 ? -$6 : $6 } END { if (n == 15) printf "%.6f", sum / n }')"
 }
-# Prints the least and the largest of these means of diffusion and flow.
-scored_by_diffusion() { # pattern of data sets, quantity, decimals
-  local method least_first
-  mapfile -t least_first < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
-    scored "$1" "$method" "${@:2}" && echo
-  done | sort -g)
-  printf '%s to %s' "${least_first[0]}" "${least_first[5]}"
-}
-
 test_windows_for_another_condition() {
   local quantity datasets least_first diffusion='| diffusion, flow' page=docs/generative-models.md
   local shift="| \`shift\`" twin_row="| \`strike-twin\`"
@@ -378,9 +378,9 @@ test_windows_for_another_condition() {
     for datasets in 'hit-sm-*to*' 'cwru-sizes-*'; do
       # shellcheck disable=SC2086 # a quantity and its decimals
       {
-        diffusion+=" | $(scored_by_diffusion "$datasets" $quantity)"
-        shift+=" | $(scored "$datasets" shift $quantity)"
-        twin_row+=" | $(scored "$datasets" strike-twin $quantity)"
+        diffusion+=" | $(range_of_diffusion scored "$datasets" $quantity)"
+        shift+=" | $(scored shift "$datasets" $quantity)"
+        twin_row+=" | $(scored strike-twin "$datasets" $quantity)"
       }
     done
   done
@@ -394,16 +394,11 @@ test_windows_for_another_condition() {
 }
 
 test_adaptation_on_uestc() {
-  local classifier method sorted range=()
-  for classifier in wdcnn-orders cdan; do
-    mapfile -t sorted < <(for method in {ddpm,ddpm-healthy,flow}{,-angle}; do
-      on_uestc "$method" "$classifier" && echo
-    done | sort -g)
-    range+=("${sorted[0]} to ${sorted[5]}")
-  done
   expect_said docs/generative-models.md "\`strike-twin\` $(on_uestc strike-twin wdcnn-orders) and $(
     on_uestc strike-twin cdan
-  ), \`shift\` $(on_uestc shift wdcnn-orders) and $(on_uestc shift cdan), diffusion and flow ${range[0]} and ${range[1]}, \`none\` $(
+  ), \`shift\` $(on_uestc shift wdcnn-orders) and $(on_uestc shift cdan), diffusion and flow $(
+    range_of_diffusion on_uestc wdcnn-orders
+  ) and $(range_of_diffusion on_uestc cdan), \`none\` $(
     on_uestc none wdcnn-orders
   ) and $(on_uestc none cdan); by \`nearest-orders\` $(on_uestc none nearest-orders)."
 }
