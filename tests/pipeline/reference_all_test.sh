@@ -6,7 +6,7 @@ source "${0%/*}/support.sh"
 list=results/reference/parts.csv
 
 # Makes the folder a repository, and a make that notes its request, fails for the one in the file `broken`, and stores three
-# figures and a table.
+# figures and a table. After a run of readings it leaves their table alone, as the real one does.
 lay_out() {
   mkdir -p src stages results/reference
   touch CMakeLists.txt src/code stages/code
@@ -16,9 +16,15 @@ lay_out() {
 #!/bin/bash
 echo "$*" >>requests
 [[ ! -e broken ]] || ! grep -qF "$(<broken)" <<<"$*" || exit 1
-[[ $1 == reference ]] || exit 0
 folder=results/reference/random
-for word; do [[ $word != REFERENCE=* ]] || folder=${word#*=}/random; done
+for word; do
+  [[ $word != REFERENCE=* ]] || folder=${word#*=}/random
+  [[ $word != RUN=* ]] || run=results/${word#*=}
+done
+[[ $1 != readings ]] || { mkdir -p "$run/cwru" && touch "$run/cwru/readings.md"; }
+[[ $1 == reference ]] || exit 0
+# As `check --store` does with a run that has nothing else.
+[[ ! -e $run/cwru/readings.md ]] || exit 66
 mkdir -p "$folder/cwru/figures"
 touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,cost@wdcnn-orders,gains}.svg
 MAKE
@@ -52,7 +58,8 @@ test_every_computed_run_is_stored() {
   local run
   while IFS= read -r run; do
     expect_line "$(grep '^reference' requests)" "$run "
-  done < <(grep -v '^reference' requests | grep -oE 'RUN=[^ ]+' | sort -u)
+  done < <(grep -vE '^(reference|readings) ' requests | grep -oE 'RUN=[^ ]+' | sort -u)
+  expect_equal "$(cd results/reference/readings && find . -type f)" ./random/cwru/readings.md
 }
 
 test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
