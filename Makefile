@@ -215,6 +215,8 @@ test-all:
 	$(Q)pipeline/build.sh $(ARCH) $(LIBTORCH) programs tests slow_tests benches
 	$(Q)DATA_DIR='$(DATA_DIR)' tests/run.sh all
 
+# abspath would take each word of PREFIX for a folder.
+$(if $(word 2,$(PREFIX)),$(error PREFIX: contains a space, which is not allowed; name another folder))
 # Installed programs are found in their folder, whatever BIN is.
 install:
 	$(Q)$(call build_them,programs)

@@ -18,8 +18,10 @@ read -ra jobs < <(job_ids <<<"$queue")
 scancel "${jobs[@]}" || die "some jobs could not be stopped; they belong to" \
   "$(job_users <<<"$queue")"
 for _ in {1..60}; do
-  queue=$(jobs_in_queue "$results") && [[ ! $queue ]] && break
+  answered=
+  queue=$(jobs_in_queue "$results") && answered=yes && [[ ! $queue ]] && break
   sleep 2
 done
+[[ $answered ]] || die "Slurm does not answer, see above; job ${jobs[*]} may still be ending"
 [[ ! $queue ]] || die "still ending: $(job_ids <<<"$queue")"
 echo "stopped: job ${jobs[*]}; the same \`make cluster\` continues"

@@ -37,6 +37,12 @@ if [[ $only_plan ]]; then
   exit
 fi
 
+# Slurm signals a job two minutes before its time limit, so that trainings write checkpoints; after half the time if the
+# limit is below four minutes.
+limit_s=$(seconds_of "${SBATCH_TIMELIMIT:-60}") ||
+  die "SBATCH_TIMELIMIT: must be minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
+told_s=$((limit_s < 240 ? limit_s / 2 : 120))
+
 # If others can write there, a link may have been planted, and a pipe would block.
 lock=$results/.jobs/lock
 [[ ! -L $results/.jobs && ! -L $lock && (! -e $lock || -f $lock) ]] ||
@@ -63,11 +69,6 @@ GOALS=$goal "$BIN/plan" --format jobs --jobs-folder "$folder" --cores "$(value_o
   for name in $request; do [[ ! ${!name:-} ]] || echo "$name=${!name}"; done
 } >"$folder/choice"
 
-# Slurm signals a job two minutes before its time limit, so that trainings write checkpoints; after half the time if the
-# limit is below four minutes.
-limit_s=$(seconds_of "${SBATCH_TIMELIMIT:-60}") ||
-  die "SBATCH_TIMELIMIT: must be minutes, minutes:seconds, hours:minutes:seconds or days-hours, not '$SBATCH_TIMELIMIT'"
-told_s=$((limit_s < 240 ? limit_s / 2 : 120))
 # If a job of an array calls this script, the new jobs must not become its tasks.
 unset "${!SLURM_ARRAY_@}" SBATCH_ARRAY_INX
 

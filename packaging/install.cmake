@@ -28,8 +28,14 @@ foreach(page IN LISTS pages)
   get_filename_component(folder ${page} DIRECTORY)
   install(FILES ${page} DESTINATION share/doc/piae-dt/${folder} COMPONENT programs)
 endforeach()
-install(FILES LICENSE DESTINATION share/doc/piae-dt RENAME copyright COMPONENT programs)
-install(FILES LICENSE DESTINATION share/doc/piae-dt-libtorch RENAME copyright COMPONENT libtorch EXCLUDE_FROM_ALL)
+install(DIRECTORY results/reference DESTINATION share/doc/piae-dt/results COMPONENT programs
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")  # the evidence that the pages link to
+file(READ LICENSE license)
+file(READ packaging/third_party.txt third_party)
+file(WRITE ${PROJECT_BINARY_DIR}/copyright "${license}\n\n${third_party}")
+install(FILES LICENSE ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/piae-dt COMPONENT programs)
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/piae-dt-libtorch COMPONENT libtorch
+        EXCLUDE_FROM_ALL)
 # The pages are of the day of the commit, so that the same sources give the same bytes.
 string(TIMESTAMP date "%Y-%m-%d" UTC)
 if(Git_FOUND)

@@ -3,7 +3,7 @@
 # "file:line: what; what would be right", and finally the number of findings of each rule. Exits with 1 after findings,
 # with 2 if a rule could not be checked.
 # usage: [LINT=all] pipeline/lint.sh [RULE [FILE or FOLDER...]]
-# Without LINT=all the two slow rules check only what changed: tidy, and headers in src/libtorch.
+# Without LINT=all only what changed is checked by tidy, by english, and of the headers in src/libtorch.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
 

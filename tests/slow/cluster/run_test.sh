@@ -107,7 +107,20 @@ test_without_an_answer_of_slurm_nothing_is_stopped() {
   mkdir -p results/t
   expect_line "$(SLURM_CONF=/nowhere cluster cluster-stop)" 'Slurm does not answer, see above; nothing is stopped'
   expect_line "$(SBATCH_TIMELIMIT=soon cluster cluster)" "SBATCH_TIMELIMIT: must be minutes, .* not 'soon'"
+  [[ ! -e results/t/.jobs ]] || fail "left behind: $(find results/t/.jobs)"
   expect_equal "$(squeue --noheader)" ""
+}
+
+test_an_end_that_slurm_does_not_confirm_is_not_reported() {
+  small_grid 2
+  cluster cluster METHODS=none >/dev/null
+  mkdir silent
+  # squeue answers once, before the jobs are cancelled.
+  printf '#!/bin/bash\n[[ ! -e silent/asked ]] || exit 1\ntouch silent/asked\nexec %q "$@"\n' "$(command -v squeue)" >silent/squeue
+  ln -s "$(command -v true)" silent/sleep
+  chmod +x silent/squeue
+  expect_line "$(PATH=$PWD/silent:$PATH cluster cluster-stop)" 'Slurm does not answer, see above; job [0-9 ]+ may still be ending'
+  until_done
 }
 
 test_a_new_split_is_planned_with_its_dependents() {

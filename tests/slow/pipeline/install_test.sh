@@ -116,6 +116,18 @@ test_pages_are_clean() {
   done
 }
 
+test_the_evidence_of_the_installed_pages_and_the_licences_are_installed() {
+  installed
+  cd "$prefix/share/doc/piae-dt"
+  local page link name
+  grep -roE '\]\([^)#]*(results/reference/[^)#]*\.(md|svg)|LICENSE)' --include='*.md' --exclude-dir=reference . | sed 's/:.*(/ /' >links
+  expect_line "$(<links)" '^./README.md .*/fig15-gains.svg$'
+  while read -r page link; do
+    [[ -e ${page%/*}/$link ]] || fail "$page links to $link, which is not installed"
+  done <links
+  for name in Eigen CLI11 'toml++' spdlog; do grep -qF "$name <" copyright || fail "the licence of $name is missing"; done
+}
+
 test_folders_of_other_projects_are_not_changed() {
   installed
   local name

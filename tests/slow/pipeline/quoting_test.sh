@@ -46,6 +46,10 @@ test_an_empty_folder_is_not_the_root() {
   done
 }
 
+test_nothing_is_installed_into_a_part_of_a_name() {
+  expect_line "$(make --dry-run install PREFIX='here/a b' 2>&1)" 'PREFIX: contains a space, which is not allowed; '
+}
+
 test_no_other_value_is_executed() {
   local name value
   for name in RUN DATASETS METHODS RATIOS SEEDS PROTOCOL ARCH LIBTORCH BIN TOLERANCE LINT PREFIX DESTDIR; do
