@@ -138,7 +138,7 @@ TEST_F(Artefact, RefusesEveryFlippedByte) {
   const std::string digest = Reader(good, "").digest();
   const fs::path bad = folder_ / "bad.h5";
   std::size_t refused = 0;
-  for (std::size_t i = 0; i < bytes.size(); i += 7) {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
     std::vector<std::byte> flipped = bytes;
     flipped[i] ^= std::byte{0x10};
     spill(bad, flipped);
@@ -151,7 +151,7 @@ TEST_F(Artefact, RefusesEveryFlippedByte) {
       EXPECT_THAT(refusal.what(), HasSubstr("bad.h5")) << "byte " << i;
     }
   }
-  EXPECT_GT(refused, bytes.size() / 140);  // the rest is unused padding
+  EXPECT_GT(refused, bytes.size() / 20);  // the rest is unused padding
 }
 
 TEST_F(Artefact, RefusesAWrongChecksumOfCorrectValues) {
@@ -306,7 +306,9 @@ TEST_F(Artefact, FailedWritesLeaveNothing) {
   fs::create_directories(folder_ / "a.h5");  // a folder where the artefact should be
   const std::byte byte{1};
   EXPECT_THROW(write_file_atomically(folder_ / "a.h5", {&byte, 1}), Error);
-  EXPECT_FALSE(fs::exists(folder_ / "a.h5.partial"));
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder_)) left.insert(entry.path().filename());
+  EXPECT_THAT(left, testing::ElementsAre("a.h5", "file"));
 }
 
 TEST_F(Artefact, StoresItsProvenance) {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <set>
 
+#include "support/child_process.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
 
@@ -34,26 +35,10 @@ std::set<std::string> names_in(const Folder& folder) {
   return names;
 }
 
-/// Runs an action in a child process. Returns its exit status, or 128 plus the signal.
-int status_of_child(const std::function<void()>& action) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    try {
-      action();
-    } catch (const Error& error) {
-      ::_exit(static_cast<int>(error.exit()));
-    }
-    ::_exit(0);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 TEST(WrittenFile, IsNotWrittenThroughAPlantedLink) {
   const Folder folder;
   const fs::path victim = folder.write("victim", "precious");
-  fs::create_symlink(victim, folder / "a.h5.partial");
+  fs::create_symlink(victim, folder / "a.h5.partial-0123456789abcdef");
   write_text(folder / "a.h5", "new");
   EXPECT_EQ(bytes_of(victim), "precious");
   EXPECT_EQ(bytes_of(folder / "a.h5"), "new");

@@ -3,24 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
-
 #include "classification/judged.hpp"
 #include "support/made_recordings.hpp"
+#include "support/shown.hpp"
 
 namespace piae::classification {
 namespace {
 
 using testing::HasSubstr;
-
-/// Counts a word in a text.
-std::size_t times(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    ++count;
-  }
-  return count;
-}
 
 std::string drawn(const std::vector<Verdict>& verdicts) {
   return picture_of(verdicts, three_classes(), judged_length);
@@ -28,14 +18,14 @@ std::string drawn(const std::vector<Verdict>& verdicts) {
 
 /// Counts rectangles of a colour; each window has one.
 std::size_t bars(const std::string& picture, const std::string& colour) {
-  return times(picture, "fill=\"" + colour + "\"");
+  return count_of(picture, "fill=\"" + colour + "\"");
 }
 
 TEST(ClassificationPicture, HasATimeLineWithABarForEachWindow) {
   const std::string picture = drawn({judged("a.csv", {1, 0, 1, -1}, "OR")});
   EXPECT_THAT(picture, HasSubstr(">a.csv (described as OR): IR, 57 % sure<"));
   for (const std::string name : {"Normal", "IR", "OR", "unknown"}) {
-    EXPECT_GE(times(picture, ">" + name + "<"), 1U) << name;
+    EXPECT_GE(count_of(picture, ">" + name + "<"), 1U) << name;
   }
   EXPECT_EQ(bars(picture, "#009E73"), 1U);  // healthy
   // 0.8: in the third quarter from half certain to certain
@@ -61,22 +51,15 @@ TEST(ClassificationPicture, ShowsTheEnvelopeSpectrumWithTheLinesOfThePredictedFa
   verdict.label = 1;
   verdict.unknown = false;
   const std::string picture = drawn({verdict});
-  EXPECT_EQ(times(picture, ">BPFI<"), 2U);
-  EXPECT_EQ(times(picture, "stroke-width=\"2.4\" stroke-dasharray=\"7 3\""), 3U);
+  EXPECT_EQ(count_of(picture, ">BPFI<"), 2U);
+  EXPECT_EQ(count_of(picture, "stroke-width=\"2.4\" stroke-dasharray=\"7 3\""), 3U);
   verdict.unknown = true;
-  EXPECT_EQ(times(drawn({verdict}), "stroke-width=\"2.4\""), 0U);
+  EXPECT_EQ(count_of(drawn({verdict}), "stroke-width=\"2.4\""), 0U);
 }
 
 TEST(ClassificationPicture, DrawsNothingOutsideThePage) {
   const std::string picture = drawn({judged("a", std::vector<int>(40, 1)), judged("b", {0})});
-  const std::regex place("(x|width)=\"([-0-9.]+)");
-  std::size_t places = 0;
-  for (auto at = std::sregex_iterator(picture.begin(), picture.end(), place);
-       at != std::sregex_iterator(); ++at, ++places) {
-    EXPECT_GE(std::stod((*at)[2]), 0) << at->str();
-    EXPECT_LE(std::stod((*at)[2]), 1080) << at->str();
-  }
-  EXPECT_GT(places, 40U);
+  expect_on_paper(picture, 1080, 40);
 }
 
 TEST(ClassificationPicture, EscapesNames) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "classification/judged.hpp"
+#include "support/shown.hpp"
 
 namespace piae::classification {
 namespace {
@@ -26,8 +27,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::vector<std::size_t> widths_of_lines(const std::string& text) {
   std::vector<std::size_t> widths;
   for (const std::string& line : lines_of(text)) {
-    widths.push_back(static_cast<std::size_t>(
-        std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; })));
+    widths.push_back(width_of(line));
   }
   return widths;
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <set>
 
 #include "signal/amplitude.hpp"
 #include "support/errors.hpp"
@@ -166,6 +168,7 @@ TEST(DiffusionTraining, ReadsCyclesFromARandomStart) {
   const Lesson drawn = lesson(set, Angle::drawn);
   ASSERT_EQ(drawn.cycles.size(), set.size());
   const auto steps = steps_of(set, {drawn});
+  std::set<std::size_t> starts;
   for (std::size_t i = 0; i < 4; ++i) {
     const Label label = *steps[0].batch.labels[i];
     const std::size_t length = drawn.cycles[set.indices_of(label).front()].size();
@@ -178,7 +181,23 @@ TEST(DiffusionTraining, ReadsCyclesFromARandomStart) {
     for (std::size_t t = 0; t + length < set.length; ++t) {
       EXPECT_NEAR(sample(t), sample(t + length), 1e-4);
     }
+    // The place in the cycle of one of the known windows at which it starts.
+    std::optional<std::size_t> start;
+    for (const std::size_t known : set.indices_of(label)) {
+      const std::vector<float>& cycle = drawn.cycles[known];
+      for (std::size_t shift = 0; shift < cycle.size(); ++shift) {
+        double distance = 0;
+        for (std::size_t t = 0; t < cycle.size(); ++t) {
+          const float expected = cycle[(shift + t) % cycle.size()];
+          distance = std::max(distance, std::abs(sample(t) - expected));
+        }
+        if (distance < 1e-4) start = shift;
+      }
+    }
+    ASSERT_TRUE(start);
+    starts.insert(*start);
   }
+  EXPECT_GE(starts.size(), 3U);
 }
 
 TEST(ALesson, RefusesAFaultWithoutACycle) {

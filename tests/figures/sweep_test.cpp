@@ -51,6 +51,7 @@ TEST_F(SweepFigure, HasTheFactorsInTheOrderOfThePaper) {
   add_sweep(0, 10);
   Source one = swept("0");
   const std::string csv = sweeps(one).csv();
+  ASSERT_NE(csv.find("\nlearning-rate,"), std::string::npos);
   EXPECT_LT(csv.find("\nbatch,"), csv.find("\nloss-weights,"));
   EXPECT_LT(csv.find("\nloss-weights,"), csv.find("\nlearning-rate,"));
 }

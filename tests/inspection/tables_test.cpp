@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "inspection/found.hpp"
+#include "support/shown.hpp"
 
 namespace piae::inspection {
 namespace {
@@ -18,8 +19,7 @@ std::size_t widest_line(const std::string& text) {
   std::istringstream lines(text);
   std::size_t widest = 0;
   for (std::string line; std::getline(lines, line);) {
-    const auto characters = std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
-    widest = std::max(widest, static_cast<std::size_t>(characters));
+    widest = std::max(widest, width_of(line));
   }
   return widest;
 }

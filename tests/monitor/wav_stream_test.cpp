@@ -7,38 +7,33 @@
 
 #include "monitor/samples.hpp"
 #include "support/errors.hpp"
+#include "support/little_endian.hpp"
 
 namespace piae::monitor {
 namespace {
 
 using Numbers = std::vector<double>;
 
-/// Returns a number in `bytes` bytes, lowest first.
-std::string le(std::uint64_t number, std::size_t bytes) {
-  std::string text;
-  for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i) & 0xFFU);
-  return text;
-}
-
 std::string chunk(const std::string& id, const std::string& body) {
-  return id + le(body.size(), 4) + body + std::string(body.size() % 2, '\0');
+  return id + little(body.size(), 4) + body + std::string(body.size() % 2, '\0');
 }
 
 std::string format_of(unsigned kind, unsigned bits, unsigned channels = 1,
                       unsigned rate_hz = 12000) {
   const unsigned align = channels * bits / 8;
-  return le(kind, 2) + le(channels, 2) + le(rate_hz, 4) + le(rate_hz * align, 4) + le(align, 2) +
-         le(bits, 2);
+  return little(kind, 2) + little(channels, 2) + little(rate_hz, 4) + little(rate_hz * align, 4) +
+         little(align, 2) + little(bits, 2);
 }
 
 /// Returns a format chunk with the kind in an extension, as sox writes it for more than 16 bits.
 std::string extensible_of(unsigned kind, unsigned bits) {
   const std::string rest("\0\0\0\0\x10\0\x80\0\0\xAA\0\x38\x9B\x71", 14);
-  return format_of(0xFFFE, bits) + le(22, 2) + le(bits, 2) + le(4, 4) + le(kind, 2) + rest;
+  return format_of(0xFFFE, bits) + little(22, 2) + little(bits, 2) + little(4, 4) +
+         little(kind, 2) + rest;
 }
 
 std::string riff(const std::string& chunks) {
-  return "RIFF" + le(4 + chunks.size(), 4) + "WAVE" + chunks;
+  return "RIFF" + little(4 + chunks.size(), 4) + "WAVE" + chunks;
 }
 
 std::string wav_of(const std::string& format, const std::string& samples) {
@@ -58,11 +53,13 @@ Numbers decoded_wav(const std::string& bytes, std::size_t piece = 1000, double r
 
 /// Full scale is 1, as for recordings in files: 0x4000 in 16 bits is 0.5.
 TEST(WavStream, ReadsEachCodingInAnyPieces) {
-  const std::string of_16 = wav_of(format_of(1, 16), le(0x4000, 2) + le(0x8000, 2) + le(1, 2));
-  const std::string of_24 = wav_of(extensible_of(1, 24), le(0x400000, 3) + le(0xFFFFFF, 3));
-  const std::string of_32 = wav_of(format_of(1, 32), le(0xC0000000, 4));
-  const std::string floats = wav_of(format_of(3, 32), le(0x3FC00000, 4) + le(0xC0100000, 4));
-  const std::string doubles = wav_of(extensible_of(3, 64), le(0x3FF8000000000000, 8));
+  const std::string of_16 =
+      wav_of(format_of(1, 16), little(0x4000, 2) + little(0x8000, 2) + little(1, 2));
+  const std::string of_24 = wav_of(extensible_of(1, 24), little(0x400000, 3) + little(0xFFFFFF, 3));
+  const std::string of_32 = wav_of(format_of(1, 32), little(0xC0000000, 4));
+  const std::string floats =
+      wav_of(format_of(3, 32), little(0x3FC00000, 4) + little(0xC0100000, 4));
+  const std::string doubles = wav_of(extensible_of(3, 64), little(0x3FF8000000000000, 8));
   for (const std::size_t piece : {1, 2, 3, 5, 7, 44, 45, 1000}) {
     SCOPED_TRACE(piece);
     EXPECT_EQ(decoded_wav(of_16, piece), (Numbers{0.5, -1, 1.0 / 32768}));
@@ -74,9 +71,9 @@ TEST(WavStream, ReadsEachCodingInAnyPieces) {
 }
 
 TEST(WavStream, SkipsOtherChunks) {
-  const std::string samples = le(0x4000, 2);
+  const std::string samples = little(0x4000, 2);
   const std::string bytes = riff(chunk("JUNK", std::string(29, 'x')) + chunk("LIST", "") +
-                                 chunk("fmt ", format_of(1, 16)) + chunk("fact", le(1, 4)) +
+                                 chunk("fmt ", format_of(1, 16)) + chunk("fact", little(1, 4)) +
                                  chunk("data", samples) + chunk("LIST", "made by data RIFF"));
   for (const std::size_t piece : {1, 3, 1000}) {
     EXPECT_EQ(decoded_wav(bytes, piece), (Numbers{0.5})) << piece;
@@ -86,11 +83,12 @@ TEST(WavStream, SkipsOtherChunks) {
 /// Recorders that write into a pipe do not know its end.
 TEST(WavStream, ReadsUnknownLengthsToTheEnd) {
   std::string samples;
-  for (int i = 0; i < 5000; ++i) samples += le(0x4000, 2);
+  for (int i = 0; i < 5000; ++i) samples += little(0x4000, 2);
   for (const std::uint64_t length :
        {0U, 0x7FFFEFFFU, 0x7FFFF000U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
-    const std::string bytes = "RIFF" + le(0xFFFFFFFF, 4) + "WAVE" +
-                              chunk("fmt ", format_of(1, 16)) + "data" + le(length, 4) + samples;
+    const std::string bytes = "RIFF" + little(0xFFFFFFFF, 4) + "WAVE" +
+                              chunk("fmt ", format_of(1, 16)) + "data" + little(length, 4) +
+                              samples;
     EXPECT_EQ(decoded_wav(bytes, 999), Numbers(5000, 0.5)) << length;
   }
 }
@@ -137,7 +135,8 @@ TEST(WavStream, RefusesDamage) {
   EXPECT_ERROR(decoded_wav(riff(chunk("fmt ", "short"))), Exit::bad_input, "header is damaged");
   EXPECT_ERROR(decoded_wav(riff(chunk("fmt ", std::string(5000, '\1')))), Exit::bad_input,
                "header is damaged");
-  EXPECT_ERROR(decoded_wav(riff("LIST" + le(0xFFFFFFFF, 4))), Exit::bad_input, "header is damaged");
+  EXPECT_ERROR(decoded_wav(riff("LIST" + little(0xFFFFFFFF, 4))), Exit::bad_input,
+               "header is damaged");
   std::string other_align = format_of(1, 16);
   other_align[12] = 4;
   EXPECT_ERROR(decoded_wav(wav_of(other_align, samples)), Exit::bad_input, "header is damaged");

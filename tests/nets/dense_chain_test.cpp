@@ -13,6 +13,7 @@
 
 #include "nets/row_array.hpp"
 #include "support/differences.hpp"
+#include "support/random_array.hpp"
 
 namespace piae::nets {
 namespace {
@@ -24,13 +25,6 @@ using Array = RowArray<double>;
 constexpr std::int64_t inputs = 5;  // not a whole vector
 constexpr std::int64_t outputs = 3;
 constexpr std::int64_t width = 7;
-
-Array random_array(const std::string& name, std::int64_t rows, std::int64_t columns) {
-  Stream stream(name);
-  Array array(rows, columns);
-  for (double& x : array.reshaped()) x = stream.normal(0, 1);
-  return array;
-}
 
 struct Example {
   explicit Example(int depth = 3, std::int64_t rows = 30)

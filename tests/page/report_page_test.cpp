@@ -354,8 +354,9 @@ TEST_F(ReportPage, ShowsSeveralPicturesOfAFigure) {
   write("cwru/figures/fig15-gains@OR.svg", "<svg/>");
   write("cwru/figures/fig15-gains@IR.svg", "<svg/>");
   const std::string html = page();
-  EXPECT_LT(html.find("<figure id=\"cwru-fig15-gains-ir\">"),
-            html.find("<figure id=\"cwru-fig15-gains-or\">"));
+  const std::size_t second = html.find("<figure id=\"cwru-fig15-gains-or\">");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(html.find("<figure id=\"cwru-fig15-gains-ir\">"), second);
 }
 
 TEST_F(ReportPage, NamesFiguresThatAreNotDrawnAndWhy) {

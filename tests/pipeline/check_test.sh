@@ -7,7 +7,7 @@ source "${0%/*}/support.sh"
 # Makes a stage that only prints its arguments, and fails on request.
 check_stage() {
   # shellcheck disable=SC2016
-  printf '#!/bin/bash\necho "$*"\n[[ ! -e moved ]]\n' >fake/check
+  printf '#!/bin/bash\necho "$*" | tee -a calls\n[[ ! -e moved ]]\n' >fake/check
   chmod +x fake/check
 }
 
@@ -46,12 +46,18 @@ test_fails_for_a_difference() {
 
 test_does_not_change_the_run() {
   check_stage
-  called check >/dev/null
-  called reference >/dev/null
-  [[ ! -e results/t ]] || fail "there is $(find results/t)"
+  mkdir -p results/t/cwru
+  echo numbers >results/t/cwru/tables.md
+  local before
+  before=$(find results/t -type f -exec sha256sum {} + && find results/t -printf '%p %T@\n')
+  called check RUN=t >/dev/null
+  called reference RUN=t >/dev/null
+  expect_equal "$(wc -l <calls)" 2
+  expect_equal "$(find results/t -type f -exec sha256sum {} + && find results/t -printf '%p %T@\n')" "$before"
 }
 
 test_refuses_a_misspelled_protocol_before_comparing_or_storing() {
+  check_stage
   local goal
   for goal in check reference; do
     expect_line "$(make --silent $goal BIN=fake RUN=try PROTOCOL=Blocked 2>&1 || true)" \

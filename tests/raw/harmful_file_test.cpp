@@ -108,20 +108,25 @@ TEST(HarmfulRawFile, IsRefusedIfItCrashesTheReader) {
   expect_refused(folder.write("a.h5", bytes), "damaged");
 }
 
-TEST(HarmfulRawFile, IsReadCorrectlyOrRefusedIfDamagedAnywhere) {
+// The header of HDF5's old format has no checksum, so some changes give other numbers
+// (SECURITY.md).
+TEST(HarmfulRawFile, IsReadOrRefusedInOneLineIfDamagedAnywhere) {
   const Folder folder;
   const std::string whole = packed_hdf5(folder / "a.h5");
   constexpr std::size_t changes = 60;
+  std::size_t refused = 0;
   for (std::size_t i = 0; i < changes; ++i) {
     std::string damaged = whole;
     damaged.replace(i * whole.size() / changes, 4, "\xff\xff\xff\xff");
     const fs::path file = folder.write("a.h5", damaged);
     const auto error = error_of([&] { (void)read(file, "x"); });
     if (!error) continue;
+    ++refused;
     EXPECT_EQ(error->exit(), Exit::bad_input) << error->what();
     EXPECT_TRUE(std::string(error->what()).starts_with(file.string())) << error->what();
     EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos) << error->what();
   }
+  EXPECT_GE(refused, 8U);
 }
 
 }  // namespace

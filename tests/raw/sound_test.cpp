@@ -11,6 +11,7 @@
 #include "raw/file.hpp"
 #include "support/errors.hpp"
 #include "support/folder.hpp"
+#include "support/little_endian.hpp"
 
 namespace piae::raw {
 namespace {
@@ -23,13 +24,6 @@ constexpr std::size_t length = 10'000;  // more than a block
 /// Returns a 16-bit sample of the first channel; the second one has its negative.
 std::int16_t sample(std::size_t i) {
   return static_cast<std::int16_t>(20000 * std::sin(0.01 * static_cast<double>(i * i)));
-}
-
-/// Returns a number in 2 or 4 bytes, low byte first.
-std::string little(std::uint32_t number, int bytes) {
-  std::string text;
-  for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i));
-  return text;
 }
 
 /// Returns a WAV file (Microsoft and IBM, 1991): PCM, 16 bits.
@@ -141,7 +135,7 @@ TEST(Sound, IsRefusedIfItsLengthContradictsTheHeader) {
 }
 
 /// Returns a number in 2 or 4 bytes, high byte first.
-std::string big(std::uint32_t number, int bytes) {
+std::string big(std::uint32_t number, std::size_t bytes) {
   std::string text = little(number, bytes);
   std::ranges::reverse(text);
   return text;

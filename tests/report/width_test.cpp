@@ -11,15 +11,10 @@
 #include "report/paper.hpp"
 #include "report/ratio_means.hpp"
 #include "report/tables.hpp"
+#include "support/shown.hpp"
 
 namespace piae::report {
 namespace {
-
-/// Returns the number of characters of a line: bytes that start a UTF-8 character.
-std::size_t width_of(const std::string& line) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 void expect_narrow(const std::string& text) {
   std::istringstream lines(text);

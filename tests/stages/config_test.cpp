@@ -95,7 +95,7 @@ TEST(Config, MissingFileIsAMissingInput) {
                  {"options.toml"});
 }
 
-TEST(Config, EveryStageReadsTheProtocolOfTheProject) {
+TEST(Config, EveryStepOfTheChainReadsTheProtocolOfTheProject) {
   // Run up to the first missing input: by then all options have been read.
   const Tiny tiny;
   const std::string protocol = std::string(PIAE_SOURCE) + "/pipeline/protocol.toml";

@@ -11,6 +11,7 @@
 #include "bearing/kinematics.hpp"
 #include "scoring/diagnosis_record.hpp"
 #include "stages/tiny.hpp"
+#include "support/little_endian.hpp"
 #include "support/made_recordings.hpp"
 #include "support/tdms_writer.hpp"
 
@@ -31,12 +32,6 @@ std::string tdms(const std::vector<double>& samples) {
       write.object("/'rig'/'acc'", write.index(tdms::dbl, samples.size()),
                    {write.property("wf_increment", 1 / sampled_hz)})};
   return write.segment(tdms::new_values, objects, write.numbers(samples));
-}
-
-std::string little(std::uint32_t number, int bytes) {
-  std::string text;
-  for (int i = 0; i < bytes; ++i) text += static_cast<char>(number >> (8 * i));
-  return text;
 }
 
 /// Returns a WAV file of one channel of 32-bit floats (format tag 3).

@@ -8,6 +8,7 @@
 
 #include "bearing/kinematics.hpp"
 #include "stages/tiny.hpp"
+#include "support/description_text.hpp"
 #include "support/made_recordings.hpp"
 
 namespace piae::stages {
@@ -20,12 +21,6 @@ using testing::Not;
 
 constexpr double rate_hz = 12000;
 constexpr double seconds = 6;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
 
 std::string record_of(const std::string& name) {
   return "[[record]]\nclass = \"" + name + "\"\nfile = \"" + name +

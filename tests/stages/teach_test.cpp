@@ -31,7 +31,7 @@ class Teach : public testing::Test {
   const Tiny tiny_;
 };
 
-TEST_F(Teach, MakesTheSameBytesAgainAndPassesVerify) {
+TEST_F(Teach, MakesTheSameContentsAgainAndPassesVerify) {
   for (const std::string file : {"once.h5", "again.h5"}) {
     const Outcome outcome =
         tiny_.run("teach", {"--machines", "3", "--prewhitening", "1", "--output", file});

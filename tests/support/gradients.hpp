@@ -25,11 +25,7 @@ inline std::vector<float> first_moments(const std::function<void(artefact::Write
   return artefact::Reader(path, "model").numbers<float>(group + "/first_moment", {0}).values;
 }
 
-/// Returns
-/// a - b
-///  /
-/// b
-/// .
+/// Returns |a - b| / |b|.
 inline double relative_difference(const std::vector<float>& a, const std::vector<float>& b) {
   double squares = 0;
   double size = 1e-30;  // for moments that are all 0

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/shown.hpp"
 #include "trend/healthy_hours.hpp"
 
 namespace piae::trend {
@@ -11,14 +12,6 @@ namespace {
 using monitor::AlarmState;
 using testing::HasSubstr;
 using testing::Not;
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    ++count;
-  }
-  return count;
-}
 
 /// Returns a trend of ten hours, the first two healthy, without a signal at 5 h.
 Shown rising() {

@@ -10,6 +10,7 @@
 
 #include "base/random.hpp"
 #include "support/differences.hpp"
+#include "support/random_array.hpp"
 #include "twin/example_physics.hpp"
 
 namespace piae::twin {
@@ -20,13 +21,6 @@ using Motion = BatchMotion<double>;
 using Loss = LossOf<double>;
 
 const Stencil central = stencil_of(Derivatives::central);
-
-Array random_array(const std::string& name, std::int64_t rows, std::int64_t columns) {
-  Stream stream(name);
-  Array array(rows, columns);
-  for (double& x : array.reshaped()) x = stream.normal(0, 1);
-  return array;
-}
 
 Motion random_motion(std::int64_t rows, std::int64_t columns) {
   return {random_array("u", rows, columns), random_array("v", rows, columns),

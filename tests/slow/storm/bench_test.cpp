@@ -1,5 +1,6 @@
 #include "storm/bench.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "storm/files.hpp"
@@ -9,6 +10,8 @@ namespace piae::storm {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::MatchesRegex;
+using testing::StartsWith;
 
 void write_program(const fs::path& path, const std::string& commands) {
   write_bytes(path, "#!/bin/sh\n" + commands + "\n");
@@ -28,8 +31,9 @@ class TwoReaders : public testing::Test {
   }
 
   [[nodiscard]] Workbench bench() const {
-    return {folder_ / "corpus", folder_ / "work", folder_ / "programs"};
+    return {folder_ / "corpus", folder_ / "work", programs()};
   }
+  [[nodiscard]] fs::path programs() const { return folder_ / "programs"; }
 
  private:
   Folder folder_;
@@ -52,6 +56,60 @@ TEST_F(TwoReaders, AreReportedIfOneDiffers) {
   EXPECT_EQ(workbench.judge(consumers.at(1), "CONTENT", true).finding, "");
   EXPECT_EQ(workbench.judge(consumers.at(1), "more content", true).finding,
             "score made something else of it, silently");
+}
+
+/// Returns the finding if `train`, or another program, does this with an altered artefact.
+class BrokenPromise : public TwoReaders {
+ protected:
+  std::string finding(const std::string& commands, const std::string& program = "train") {
+    Workbench workbench = bench();
+    write_program(programs() / program, commands);
+    return workbench.judge(workbench.consumers().at(0), "CONTENT", false).finding;
+  }
+};
+
+TEST_F(BrokenPromise, IsNoneIfTheStageNamesTheFile) {
+  EXPECT_EQ(finding("echo 'train: x.h5: is damaged' >&2; exit 65"), "");
+  EXPECT_EQ(finding("echo 'train: the training diverges' >&2; exit 1"), "");
+}
+
+TEST_F(BrokenPromise, IsACrashOrTooMuchMemory) {
+  EXPECT_THAT(finding("kill -SEGV $$"), StartsWith("train was ended by signal 11"));
+  EXPECT_THAT(finding("kill -SEGV $$", "verify"), StartsWith("verify was ended by signal 11"));
+  EXPECT_THAT(finding("head -c 1100000000 /dev/zero | tail -c 1100000000 >/dev/null"),
+              MatchesRegex("train took 1[0-9]{3} MB.*"));
+}
+
+TEST_F(BrokenPromise, IsARefusalThatIsNotAsDocumented) {
+  EXPECT_THAT(finding("echo 'train: x.h5: is odd' >&2; exit 3"), StartsWith("train ended with 3"));
+  EXPECT_THAT(finding("echo 'train: is odd' >&2; exit 65"),
+              StartsWith("train does not name the file"));
+  EXPECT_THAT(finding("echo 'x.h5: is odd' >&2; exit 65"),
+              StartsWith("an error without its stage"));
+  EXPECT_THAT(finding("echo 1 >x.part; echo 'train: x.h5: is odd' >&2; exit 65"),
+              StartsWith("train refused and left x.part"));
+  EXPECT_THAT(finding("exit 0"), StartsWith("train left other files than of the good artefact"));
+}
+
+TEST_F(BrokenPromise, IsAVerifyThatSaysTooLittleOrTooMuch) {
+  EXPECT_EQ(finding("exit 4", "verify"), "verify refused without a word");
+  EXPECT_THAT(finding("echo y.h5: is odd; exit 4", "verify"),
+              StartsWith("verify does not name the file"));
+  EXPECT_THAT(finding("echo x.h5: is odd; exit 2", "verify"), StartsWith("verify ended with 2"));
+  EXPECT_THAT(finding("echo x.h5: is odd", "verify"), StartsWith("verify found all good, but"));
+  EXPECT_THAT(finding("echo x.h5: is odd >&2; exit 4", "verify"),
+              StartsWith("verify printed errors"));
+}
+
+TEST_F(BrokenPromise, IsAFileThatOnlyOneOfBothRefuses) {
+  Workbench workbench = bench();
+  write_program(programs() / "verify", "echo x.h5: is odd; exit 4");
+  EXPECT_THAT(workbench.judge(workbench.consumers().at(1), "CONTENT", true).finding,
+              StartsWith("score used what verify refuses"));
+  write_program(programs() / "verify", "exit 0");
+  write_program(programs() / "score", "echo 'score: x.h5: is odd' >&2; exit 65");
+  EXPECT_THAT(workbench.judge(workbench.consumers().at(1), "CONTENT", true).finding,
+              StartsWith("verify found nothing, but score: x.h5: is odd"));
 }
 
 }  // namespace

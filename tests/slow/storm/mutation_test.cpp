@@ -49,6 +49,14 @@ TEST(Checksums, AreFoundAndCorrected) {
   std::string bytes = good;
   renew_checksums(bytes, blocks);
   EXPECT_EQ(bytes, good);
+  // A block with another byte is found again only if its checksum is the new one.
+  for (const Block& block : blocks) {
+    bytes = good;
+    bytes[block.at + block.size - 1] ^= 1;
+    EXPECT_LT(checksummed_blocks(bytes).size(), blocks.size());
+    renew_checksums(bytes, blocks);
+    EXPECT_EQ(checksummed_blocks(bytes).size(), blocks.size());
+  }
 }
 
 TEST(Checksums, LieWithinBytesThatAreChanged) {
