@@ -69,8 +69,12 @@ conditions-sizes() {
   store conditions
 }
 conditions-uestc() {
-  run conditions transfer DATASETS="$speeds $sizes $(names 'uestc-[0-9]*to*') $(names 'uestc-true-[0-9]*to*')"
+  run conditions transfer DATASETS="$(names 'uestc-[0-9]*to*') $(names 'uestc-true-[0-9]*to*')"
   store conditions
+  # A single picture of all rigs, whose other tables are stored.
+  local all=results/reference/random
+  pipeline/figures/draw.sh "results/conditions-$commit/rigs.csv" $all/transfer@{sizes,speeds,uestc-speeds,uestc-true-speeds}.csv
+  cp "results/conditions-$commit/rigs.svg" $all
 }
 zero() {
   local rules="envelope-rule exclusion-rule" networks="wdcnn wdcnn-spectrum wdcnn-envelope wdcnn-spectra"

@@ -6,7 +6,7 @@ source "${0%/*}/support.sh"
 list=results/reference/parts.csv
 
 # Makes the folder a repository, and a make that notes its request, fails for the one in the file `broken`, and stores three
-# figures and a table. After a run of readings it leaves their table alone, as the real one does.
+# figures and tables. After a run of readings it leaves their table alone, as the real one does.
 lay_out() {
   mkdir -p src stages results/reference
   touch CMakeLists.txt src/code stages/code
@@ -26,8 +26,13 @@ done
 # Refuses such a run, as `check --store` does.
 [[ ! -e $run/cwru/readings.md ]] || exit 66
 mkdir -p "$folder/cwru/figures"
+touch "$folder/transfer@"{sizes,speeds,uestc-speeds,uestc-true-speeds}.csv
 touch "$folder/cwru/tables.md" "$folder/cwru/figures/"{cost,cost@wdcnn-orders,gains}.svg
 MAKE
+  cat >pipeline/figures/draw.sh <<'DRAW'
+#!/bin/bash
+cat "${@:2}" >/dev/null && mkdir -p "${1%/*}" && echo "${@:2}" >"${1%.csv}.svg"
+DRAW
   chmod +x remake
 }
 commit() {
@@ -60,6 +65,7 @@ test_every_computed_run_is_stored() {
     expect_line "$(grep '^reference' requests)" "$run "
   done < <(grep -vE '^(reference|readings) ' requests | grep -oE 'RUN=[^ ]+' | sort -u)
   expect_equal "$(cd results/reference/readings && find . -type f)" ./random/cwru/readings.md
+  expect_line "$(<results/reference/random/rigs.svg)" 'transfer@speeds.csv .*transfer@uestc-speeds.csv '
 }
 
 test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
@@ -67,7 +73,7 @@ test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
   all_parts
   local folder
   for folder in rivals classifiers; do
-    expect_equal "$(cd results/reference/$folder && find . -type f | LC_ALL=C sort | xargs)" \
+    expect_equal "$(cd results/reference/$folder && find . -type f ! -name 'transfer@*' | LC_ALL=C sort | xargs)" \
       './random/cwru/figures/cost.svg ./random/cwru/figures/cost@wdcnn-orders.svg ./random/cwru/tables.md'
   done
   expect_line "$(ls results/reference/random/cwru/figures)" '^gains.svg$'
