@@ -25,6 +25,7 @@ inline const std::string tiny_description = described_bearing("tiny") + describe
 
 inline std::vector<std::string> tables_of_tiny() {
   std::vector<std::string> files;
+  files.reserve(std::size(run::table_names));
   for (const std::string& name : run::table_names) files.push_back("run/tiny/" + name);
   return files;
 }
