@@ -9,15 +9,16 @@ namespace {
 
 using testing::HasSubstr;
 
+const Arguments judged_cells{"--run",    "run",    "--dataset", "toys", "--methods",     "none",
+                             "--ratios", "100to1", "--seeds",   "0",    "--classifiers", "nearest"};
+
 TEST(Verdicts, AreTabulatedBesideThoseOfOthers) {
   const Folder folder;
   const run::Layout layout(folder / "run", "toys");
   run::store_verdicts(layout, 0, {0, 1, 2, 2});
   folder.write("others.csv", "record,grade,Ann\na-1,Y2,right\na-2,N1,wrong\nb-1,Y1,right\n");
-  const Arguments cells{"--run",    "run",    "--dataset", "toys", "--methods",     "none",
-                        "--ratios", "100to1", "--seeds",   "0",    "--classifiers", "nearest"};
   const auto tabulated = [&](const Arguments& further) {
-    Arguments arguments = cells;
+    Arguments arguments = judged_cells;
     arguments.insert(arguments.end(), further.begin(), further.end());
     const Outcome outcome = run(folder.path(), "verdicts", arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -38,9 +39,8 @@ TEST(Verdicts, AreTabulatedBesideThoseOfOthers) {
 
 TEST(Verdicts, ThatAreMissingAreNamedAndNothingIsWritten) {
   const Folder folder;
-  const Arguments cells{"--run",    "run",    "--dataset", "toys", "--methods",     "none",
-                        "--ratios", "100to1", "--seeds",   "0",    "--classifiers", "nearest"};
-  expect_refusal(run(folder.path(), "verdicts", cells), "verdicts", 66, {"classification.h5"});
+  expect_refusal(run(folder.path(), "verdicts", judged_cells), "verdicts", 66,
+                 {"classification.h5"});
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
