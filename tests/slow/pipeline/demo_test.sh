@@ -7,7 +7,7 @@ demo() { make demo "$@" 2>&1; }
 
 test_the_demo_ends_with_three_answers_and_two_files() {
   skip_where_nothing_draws
-  ln -s "$project"/{CMakeLists.txt,packaging,src,stages} .
+  ln -s "$project"/{CMakeLists.txt,LICENSE,packaging,src,stages} .
   local output answers
   output=$(demo) || fail "$output"
   expect_equal "$(ls build/bin)" "$(printf '%s\n' classify demo_answers diagnose figures generate plan read_raw report score \

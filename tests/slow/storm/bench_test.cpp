@@ -25,12 +25,13 @@ class TwoReaders : public testing::Test {
     for (const char* part : {"corpus", "programs"}) fs::create_directories(folder_ / part);
     write_bytes(folder_ / "corpus/x.h5", "content");
     write_bytes(folder_ / "corpus/consumers", "x.h5 train x.h5\nx.h5 score x.h5\n");
-    write_program(folder_ / "programs/verify", "exit 0");
-    write_program(folder_ / "programs/train", "cp \"$1\" out.h5");
-    write_program(folder_ / "programs/score", "wc -c <\"$1\" >out.h5");
   }
 
+  /// A workbench whose programs behave well with the good artefact.
   [[nodiscard]] Workbench bench() const {
+    write_program(programs() / "verify", "exit 0");
+    write_program(programs() / "train", "cp \"$1\" out.h5");
+    write_program(programs() / "score", "wc -c <\"$1\" >out.h5");
     return {folder_ / "corpus", folder_ / "work", programs()};
   }
   [[nodiscard]] fs::path programs() const { return folder_ / "programs"; }
