@@ -17,7 +17,7 @@ found=
 lint() { # rule, [file...]
   local code=0
   found=$(pipeline/lint.sh "$@" 2>&1) || code=$?
-  [[ $found != *'skipped, as'* ]] || skip "$(grep 'skipped, as' <<<"$found")"
+  [[ $found != *'skipped, because'* ]] || skip "$(grep 'skipped, because' <<<"$found")"
   return $code
 }
 

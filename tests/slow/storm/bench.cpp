@@ -29,7 +29,7 @@ std::string out_of_bounds(const std::string& program, const Outcome& outcome) {
   if (outcome.status > 128) {
     return program + " was ended by signal " + std::to_string(outcome.status - 128) + printed;
   }
-  if (outcome.peak_mb > most_mb) {
+  if (outcome.peak_mb > most_mb_of(program)) {
     return program + " took " + std::to_string(outcome.peak_mb) + " MB" + printed;
   }
   return {};

@@ -272,6 +272,8 @@ for class in IR007 OR021; do
   done
 done >>description/transfer.toml
 cp ../artefacts/tiny.toml ../artefacts/speeds.toml simulation/
-cp "$project/pipeline/protocol.toml" protocol/
+# A file for each top-level table, without comments: one change is read with less else.
+sed 's/[[:space:]]*#.*//' "$project/pipeline/protocol.toml" |
+  awk '/^\[/ { match($0, /[a-z]+/); name = substr($0, RSTART, RLENGTH) } NF { print >("protocol/" name ".toml") }'
 cp "$project"/results/published/*.csv published/
 while read -r file _; do cp "../artefacts/$file" "artefact/${file//\//-}"; done <../artefacts/consumers
