@@ -37,15 +37,8 @@ install(FILES LICENSE ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/piae
 install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/piae-dt-libtorch COMPONENT libtorch
         EXCLUDE_FROM_ALL)
 # The pages are of the day of the commit, so that the same sources give the same bytes.
-string(TIMESTAMP date "%Y-%m-%d" UTC)
-if(Git_FOUND)
-  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} show --no-patch --format=%cs HEAD
-                  OUTPUT_VARIABLE committed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  if(committed)
-    set(date ${committed})
-  endif()
-endif()
-install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/packaging/man.sh\" \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" ${date}
+name_day(${PROJECT_SOURCE_DIR} day)
+install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/packaging/man.sh\" \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\" ${day}
                               COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
 
 # ---- Debian packages ----------------------------------------------------------------------------
