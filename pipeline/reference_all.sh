@@ -140,12 +140,18 @@ parts=(cwru hit-sm conditions-speeds conditions-sizes conditions-uestc zero read
   rivals-conditions classifiers adaptation adaptation-uestc effects)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 
+[[ $(git rev-parse --is-shallow-repository 2>/dev/null || true) == false ]] || {
+  echo "reference-all: needs a whole clone by git, because the results name the commit of the programs" >&2
+  exit 1
+}
 [[ ! $(git status --porcelain -- "${decisive[@]}") ]] || {
   echo "reference-all: programs or settings differ from their last commit; commit them, so that the results can name it" >&2
   exit 1
 }
-commit=$(git log -1 --format=%h -- "${decisive[@]}")
-processor=$(sed -nE 's/^model name\s*: //p' /proc/cpuinfo | head -1)
+commit=$(git log -1 --abbrev=8 --format=%h -- "${decisive[@]}")
+# Virtual machines hide the exact name.
+processor=$(awk -F '\t+: ' '!seen[$1]++ { has[$1] = $2 }
+  END { print has["model name"] " family " has["cpu family"] " model " has["model"] }' /proc/cpuinfo)
 mkdir -p "$clock"
 [[ -s $list ]] || echo 'part,commit,processor,minutes' >"$list"
 

@@ -39,7 +39,7 @@ commit() {
   git add CMakeLists.txt src stages pipeline
   git -c user.name=a -c user.email=b commit --quiet --message=c
 }
-commit_of() { git log -1 --format=%h -- CMakeLists.txt src stages pipeline/protocol.toml pipeline/datasets; }
+commit_of() { git log -1 --abbrev=8 --format=%h -- CMakeLists.txt src stages pipeline/protocol.toml pipeline/datasets; }
 reference_all() { DATA_DIR=recordings BIN="$programs" pipeline/reference_all.sh ./remake; }
 all_parts() { reference_all >messages 2>&1 || fail "$(<messages)"; }
 
@@ -88,6 +88,7 @@ test_stored_parts_are_skipped_until_programs_or_settings_change() {
   expect_line "$(<results/reference/SHA256SUMS)" '  parts.csv$'
   (cd results/reference && sha256sum --check --quiet SHA256SUMS) || fail "the sums are older than the parts"
   rm requests
+  git config core.abbrev 12
   expect_line "$(reference_all)" '^reference-all: zero is stored$'
   [[ ! -e requests ]] || fail "made again: $(<requests)"
   local first
@@ -100,6 +101,13 @@ test_stored_parts_are_skipped_until_programs_or_settings_change() {
   expect_line "$(<requests)" "^verdicts .* RUN=zero-$(commit_of)"
   expect_no_line "$(<requests)" "RUN=zero-$first"
   expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
+}
+
+test_the_commit_must_be_known() {
+  lay_out
+  git clone --quiet --depth 1 "file://$PWD" shallow
+  expect_line "$(GIT_DIR=shallow/.git reference_all 2>&1 || true)" 'needs a whole clone by git'
+  expect_line "$(GIT_DIR=nothing reference_all 2>&1 || true)" 'needs a whole clone by git'
 }
 
 test_a_failed_part_is_not_stored_and_the_same_command_continues_with_it() {
