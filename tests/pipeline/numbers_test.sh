@@ -119,7 +119,7 @@ generated windows: $(mean 0 "$(accuracy random/cwru.csv none wdcnn 100to1)")."
     awk -F, '$4 == "1to1" { s[$1] = $5 } END { printf "%.0f", s["ddpm-angle"] / s["shift"] / 100 }' \
       "$reference/rivals/random/cwru/figures/cost.csv"
   }
-  expect_said README.md "for $(times_of_shift)00 times the time of \`shift\`"
+  expect_said README.md "for over $(times_of_shift)00 times the time of \`shift\`"
   expect_said README.md "nearest neighbour on spectra, $(mean 1 "$(accuracy random/cwru.csv none nearest 100to1)")."
 
   best_rival() { # stored table, pattern of other methods that do not count
@@ -292,8 +292,13 @@ test_the_effects_of_parts() {
       swept_twin "$setting" 'by fault type' "${speeds[@]}"
     ) | $(swept_twin "$setting" accuracy "${sizes[@]}") |"
   done
+  spread() { # table...
+    (cd "$reference/effects/random" && grep -h -m 1 '^| as in the grid' "$@") | awk '{ print $9 }' | sort -g |
+      awk '{ s[NR] = $1 } END { printf "%.0f to %.0f", s[1], s[NR] }'
+  }
+  expect_said docs/strike-twin.md "Seeds spread by $(spread "${speeds[@]}") points (sizes $(spread "${sizes[@]}"))"
   zero=$reference/effects/blocked/cwru-types-zero/sweep@piae-dt-zero.md
-  for setting in level-to-db=10 ball-random=0 stray-knocks=0 both-races=1 path-db=0 load-zone=off; do
+  for setting in level-to-db=10 ball-random=0 stray-knocks=0 both-races=1 ball-track=1 path-db=0 load-zone=off; do
     row=$(awk -v setting="$setting" -F' *[|] *' '$2 == setting {
       split($5, difference, " "); gsub(/[][]/, "", $6); print difference[1] " (" $6 ")" }' "$zero")
     expect_said docs/piae-dt-zero.md "(\`$setting\`) | $row |"
@@ -444,27 +449,32 @@ test_no_fault_known() {
     rounded 1 "$(cell blocked/cwru-types-zero/tables.md \
       "Decisions over several windows of a record on cwru-types-zero, percent, by $2" "$1" "$3" | tr -d ' ')"
   }
-  answered() { # method, classifier
-    mean 0 "$(cell blocked/cwru-types-zero/tables.md "Share answered at 95 % precision on cwru-types-zero, percent, by $2" \
-      "$1" answered | tr -d ' ')"
+  answered() { # data set, method, classifier
+    mean 0 "$(cell "blocked/$1/tables.md" "Share answered at 95 % precision on $1, percent, by $3" "$2" answered | tr -d ' ')"
   }
   for classifier in envelope-rule exclusion-rule any-bearing; do
     expect_row "\`$classifier\`" "$(percent blocked/cwru-types-zero.csv none $classifier 100to1)" \
       "$(decided none $classifier '10 windows')" "$(decided none $classifier '60 windows')" \
-      "$(answered none $classifier)"
+      "$(answered cwru-types-zero none $classifier)"
     mapfile -t cells < <(untaught 1 $classifier)
     expect_said docs/results.md "| \`$classifier\` | ${cells[1]} | ${cells[2]} | ${cells[3]}"
   done
   for method in healthy-plus-impulses piae-dt-zero; do
     expect_row "\`$method\` by \`symptom-net\`" "$(percent blocked/cwru-types-zero.csv $method symptom-net 1to1)" \
       "$(decided $method symptom-net '10 windows')" "$(decided $method symptom-net '60 windows')" \
-      "$(answered $method symptom-net)"
+      "$(answered cwru-types-zero $method symptom-net)"
     cells=()
     for dataset in hit-sm uestc uestc-true; do
       cells+=("$(mean 1 "$(accuracy blocked/$dataset-types-zero.csv $method symptom-net 1to1)")")
     done
     expect_said docs/results.md "| \`$method\` by \`symptom-net\` | ${cells[0]} | ${cells[1]} | ${cells[2]}"
   done
+  cells=()
+  for dataset in cwru uestc uestc-true; do
+    for method in piae-dt-zero healthy-plus-impulses; do cells+=("$(answered $dataset-types-zero $method symptom-net)"); done
+  done
+  expect_said docs/results.md "may answer ${cells[0]} % of CWRU's windows (the common recipe ${cells[1]}), ${cells[2]} of \
+UESTC's (${cells[3]}), by true speeds ${cells[4]} (${cells[5]})"
 }
 
 test_calibration() {

@@ -23,20 +23,21 @@ bool names(const std::string& line, const std::string& file) {
 
 /// Describes a hang, crash or memory use that no program may show for any input; "" if there is
 /// none.
-std::string out_of_bounds(const std::string& program, const Outcome& outcome) {
+std::string out_of_bounds(const std::string& program, const std::string& file,
+                          const Outcome& outcome) {
   const std::string printed = "; it said: " + outcome.err + outcome.out;
   if (outcome.hung) return program + " ran for more than 20 s" + printed;
   if (outcome.status > 128) {
     return program + " was ended by signal " + std::to_string(outcome.status - 128) + printed;
   }
-  if (outcome.peak_mb > most_mb_of(program)) {
+  if (outcome.peak_mb > most_mb_with(file)) {
     return program + " took " + std::to_string(outcome.peak_mb) + " MB" + printed;
   }
   return {};
 }
 
 std::string odd_of_verify(const std::string& file, const Outcome& verified) {
-  const std::string bad = out_of_bounds("verify", verified);
+  std::string bad = out_of_bounds("verify", file, verified);
   if (!bad.empty()) return bad;
   const std::string printed = "; it said: " + verified.err + verified.out;
   if (!verified.err.empty()) return "verify printed errors" + printed;
@@ -109,7 +110,7 @@ Workbench::Contents Workbench::take_new_files() {
 std::string Workbench::odd(const Consumer& consumer, const Outcome& verified,
                            const Outcome& outcome, const Contents& made) const {
   std::string bad = odd_of_verify(consumer.file, verified);
-  if (bad.empty()) bad = out_of_bounds(consumer.stage, outcome);
+  if (bad.empty()) bad = out_of_bounds(consumer.stage, consumer.file, outcome);
   if (!bad.empty()) return bad;
   const std::string printed = "; it said: " + outcome.err + outcome.out;
   const auto same_name = [](const auto& a, const auto& b) { return a.first == b.first; };

@@ -37,6 +37,7 @@ std::string text_in(std::FILE* file) {
 [[noreturn]] void become(const fs::path& folder, const std::vector<std::string>& command, int out,
                          int err) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   ::setpgid(0, 0);
@@ -59,6 +60,12 @@ bool ends_in_time(pid_t pid) {
 }
 
 }  // namespace
+
+bool is_model(const fs::path& file) {
+  return file.filename().string().find(".model.") != std::string::npos;
+}
+
+double most_mb_with(const fs::path& file) { return is_model(file) ? 2 * most_mb : most_mb; }
 
 Outcome run(const fs::path& folder, const std::vector<std::string>& command) {
   const File out(std::tmpfile());

@@ -20,11 +20,12 @@ struct Outcome {
 inline constexpr double most_seconds = 20;
 inline constexpr double most_mb = 1024;
 
-/// Returns the limit of this program. `generate` accepts models of windows up to 2^20 samples, of
-/// which a U-net keeps all features: 1.6 GB.
-inline double most_mb_of(const std::string& program) {
-  return program == "generate" ? 2 * most_mb : most_mb;
-}
+/// True for a kept model by its name.
+bool is_model(const std::filesystem::path& file);
+
+/// Returns the limit of programs that read this file. With a model, `generate` and `verify` make
+/// windows of up to 2^20 samples, of which a U-net keeps all features: 1.6 GB.
+double most_mb_with(const std::filesystem::path& file);
 
 /// Runs a program on one thread in a folder; kills it and its children after `most_seconds`.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& command);

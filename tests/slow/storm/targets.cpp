@@ -68,10 +68,6 @@ void read_protocol(const fs::path& file) {
 /// Reads the published accuracies: three files, of which the other two are good.
 void read_published(const fs::path& file) { (void)report::Published(file.parent_path()); }
 
-bool is_model(const fs::path& file) {
-  return file.filename().string().find(".model.") != std::string::npos;
-}
-
 bool is_classifier(const fs::path& file) {
   return file.filename().string().find("classifier.") != std::string::npos;
 }
@@ -138,7 +134,7 @@ std::string failure_of(const Outcome& outcome, const std::string& name,
   const std::string status = std::to_string(outcome.status);
   if (outcome.hung) return "the program hangs" + printed;
   if (outcome.status > 128) return "the program ended with " + status + printed;
-  if (outcome.peak_mb > most_mb_of(program))
+  if (outcome.peak_mb > most_mb_with(name))
     return "the program took " + std::to_string(outcome.peak_mb) + " MB";
   if (outcome.status == 0) return {};
   if (program != "verify" && outcome.status != 65)
