@@ -78,6 +78,7 @@ conditions-uestc() {
 }
 zero() {
   local rules="envelope-rule exclusion-rule" networks="wdcnn wdcnn-spectrum wdcnn-envelope wdcnn-spectra"
+  "$BIN/teach" --config pipeline/protocol.toml --output results/reference/any-bearing.h5
   run zero all PROTOCOL=blocked RATIOS="100to1 1to1" DATASETS="$types_zero $short_zero" \
     METHODS="none healthy-plus-impulses piae-dt-zero oracle" CLASSIFIERS="$rules symptom-net nearest"
   run zero all PROTOCOL=blocked RATIOS=1to1 DATASETS=cwru-types-zero \
