@@ -133,7 +133,7 @@ std::optional<Known> of_uestc(const RecordSource& source) {
 }
 
 TEST_F(KnownSpeeds, OfUestcAreFoundFromTheNominalOnes) {
-  try_on("uestc-true-speeds", of_uestc, "UESTC by shared/data/README.md, nominal");
+  try_on("uestc-true-speeds", of_uestc, "UESTC, nominal");
   if (IsSkipped()) return;
   EXPECT_GE(found_.within, 22);
   EXPECT_EQ(found_.wrong, 0);
