@@ -126,10 +126,9 @@ std::string description_of(const std::string& file, const std::string& variable)
          file + "\"\nvariable = \"" + variable + "\"\nsample_rate_hz = 12000\n";
 }
 
-/// Returns why an outcome of this program breaks a promise; "" if it does not. `verify` has exit
-/// codes of its own. `name` is that of the file.
-std::string failure_of(const Outcome& outcome, const std::string& name,
-                       const std::string& program) {
+/// Returns why a program's outcome breaks a promise about the file with this name; "" if it does
+/// not. `verify` has exit codes of its own.
+std::string failure_of(const Outcome& outcome, const std::string& name, bool is_verify) {
   const std::string printed = ": " + outcome.out + outcome.err;
   const std::string status = std::to_string(outcome.status);
   if (outcome.hung) return "the program hangs" + printed;
@@ -137,8 +136,7 @@ std::string failure_of(const Outcome& outcome, const std::string& name,
   if (outcome.peak_mb > most_mb_with(name))
     return "the program took " + std::to_string(outcome.peak_mb) + " MB";
   if (outcome.status == 0) return {};
-  if (program != "verify" && outcome.status != 65)
-    return "the program ended with " + status + printed;
+  if (!is_verify && outcome.status != 65) return "the program ended with " + status + printed;
   return printed.find(name) == std::string::npos ? "the program does not name the file" + printed
                                                  : "";
 }
@@ -153,7 +151,7 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
   const std::string name = file.filename();
   const auto program = [&](const char* stage) { return (fs::absolute(programs) / stage).string(); };
   if (std::string(target.name) == "artefact") {
-    std::string failure = failure_of(run(folder, {program("verify"), name}), name, "verify");
+    std::string failure = failure_of(run(folder, {program("verify"), name}), name, true);
     if (failure.empty() && is_classifier(file)) {
       std::string recording;
       for (const double sample : recorded_samples()) recording += std::to_string(sample) + '\n';
@@ -164,13 +162,13 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
                        "--variable", "1", "--sample-rate-hz", std::to_string(recorded_hz),
                        "--speed-rpm", std::to_string(recorded_rpm)});
       fs::remove(folder / file_name);
-      return failure_of(named, name, "classify");
+      return failure_of(named, name, false);
     }
     if (!failure.empty() || !is_model(file)) return failure;
     const Outcome made = run(folder, {program("generate"), "--model", name, "--count", "1",
                                       "--seed", "0", "--output", "out.h5"});
     fs::remove(folder / "out.h5");
-    return failure_of(made, name, "generate");
+    return failure_of(made, name, false);
   }
   const std::map<std::string, std::string> variables{{"mat", "x"}, {"hdf5", "/x"}};
   const auto found = variables.find(target.name);
@@ -179,7 +177,7 @@ std::string failure_of_programs(const Target& target, const fs::path& file,
   const Outcome read = run(folder, {program("ingest"), "--description", "storm.toml", "--data-dir",
                                     ".", "--output", "out.h5"});
   fs::remove(folder / "out.h5");
-  return failure_of(read, name, "ingest");
+  return failure_of(read, name, false);
 }
 
 }  // namespace piae::storm
