@@ -46,7 +46,11 @@ commit() {
   git add CMakeLists.txt src stages pipeline
   git -c user.name=a -c user.email=b commit --quiet --message=c
 }
-commit_of() { git log -1 --abbrev=8 --format=%h -- CMakeLists.txt src stages pipeline/protocol.toml pipeline/datasets; }
+commit_of() {
+  local decisive
+  read -ra decisive < <(sed -n 's/^decisive=(\(.*\))$/\1/p' pipeline/reference_all.sh)
+  git log -1 --abbrev=8 --format=%h -- "${decisive[@]}"
+}
 reference_all() { DATA_DIR=recordings BIN=programs pipeline/reference_all.sh ./remake; }
 all_parts() { reference_all >messages 2>&1 || fail "$(<messages)"; }
 

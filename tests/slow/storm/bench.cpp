@@ -30,7 +30,7 @@ std::string out_of_bounds(const std::string& program, const std::string& file,
   if (outcome.status > 128) {
     return program + " was ended by signal " + std::to_string(outcome.status - 128) + printed;
   }
-  if (outcome.peak_mb > most_mb_with(file)) {
+  if (took_too_much(outcome, file)) {
     return program + " took " + std::to_string(outcome.peak_mb) + " MB" + printed;
   }
   return {};

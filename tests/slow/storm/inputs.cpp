@@ -147,7 +147,7 @@ Verdict read(const Input& input, const fs::path& reason) {
   return missed;
 }
 
-bool took_too_much() {
+bool has_grown_too_much() {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
   return static_cast<double>(used.ru_maxrss) / 1024 > most_mb;
@@ -198,7 +198,7 @@ bool only_lacks_memory(const std::string& report, const Target& target) {
       if (!only_lacks_memory(report_in(place.reports), *input.target)) ::_exit(3);
       (void)take_report(place.reports);
     }
-    if (took_too_much()) ::_exit(3);
+    if (has_grown_too_much()) ::_exit(3);
     if (::write(to, &verdict, 1) != 1) ::_exit(4);
     if (verdict == missed) break;  // the reason and the altered bytes are in files
     Inputs::put_back(input);

@@ -65,7 +65,10 @@ bool is_model(const fs::path& file) {
   return file.filename().string().find(".model.") != std::string::npos;
 }
 
-double most_mb_with(const fs::path& file) { return is_model(file) ? 2 * most_mb : most_mb; }
+bool took_too_much(const Outcome& outcome, const fs::path& file) {
+  const bool makes_windows = outcome.status == 0 && is_model(file);
+  return outcome.peak_mb > (makes_windows ? 2 * most_mb : most_mb);
+}
 
 Outcome run(const fs::path& folder, const std::vector<std::string>& command) {
   const File out(std::tmpfile());

@@ -23,9 +23,10 @@ inline constexpr double most_mb = 1024;
 /// True for a kept model by its name.
 bool is_model(const std::filesystem::path& file);
 
-/// Returns the limit of programs that read this file. With a model, `generate` and `verify` make
-/// windows of up to 2^20 samples, of which a U-net keeps all features: 1.6 GB.
-double most_mb_with(const std::filesystem::path& file);
+/// True if a program that read this file took more than `most_mb`. Of a good model, `generate` and
+/// `verify` make windows of up to 2^20 samples, of which a U-net keeps all features: 1.6 GB. So
+/// they may take twice as much unless they refuse it.
+bool took_too_much(const Outcome& outcome, const std::filesystem::path& file);
 
 /// Runs a program on one thread in a folder; kills it and its children after `most_seconds`.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& command);

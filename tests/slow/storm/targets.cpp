@@ -133,7 +133,7 @@ std::string failure_of(const Outcome& outcome, const std::string& name, bool is_
   const std::string status = std::to_string(outcome.status);
   if (outcome.hung) return "the program hangs" + printed;
   if (outcome.status > 128) return "the program ended with " + status + printed;
-  if (outcome.peak_mb > most_mb_with(name))
+  if (took_too_much(outcome, name))
     return "the program took " + std::to_string(outcome.peak_mb) + " MB";
   if (outcome.status == 0) return {};
   if (!is_verify && outcome.status != 65) return "the program ended with " + status + printed;
