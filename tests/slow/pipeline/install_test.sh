@@ -103,6 +103,17 @@ test_pages_match_the_help_of_the_programs() {
   expect_line "$(gzip -dc "$page" | head -n 1)" "^\.TH \"PIAE-DT-SPLIT\" 1 \"[0-9-]{10}\" \"piae-dt $version\""
 }
 
+# Newer versions of CLI11 leave two spaces within a name.
+test_pages_know_the_names_of_every_cli11() {
+  local name page
+  for name in '  --seed INT:NATURAL=0 REQUIRED       ' '  --seed INT:NATURAL [0]  REQUIRED    '; do
+    page=$(printf 'Trains.\nUsage: train [OPTIONS]\n\nOptions:\n%snumber of the repeat\n\n' "$name" |
+      awk -v name=piae-dt-train -v command='piae-dt train' -v version=1 -v date=d -f "$project/packaging/man.awk")
+    expect_line "$page" '^.fB.-.-seed.fR INT:NATURAL.* REQUIRED$'
+    expect_line "$page" '^number of the repeat$'
+  done
+}
+
 test_pages_are_clean() {
   installed
   command -v man >/dev/null || command -v mandoc >/dev/null || skip "neither man nor mandoc is installed"
@@ -191,6 +202,9 @@ test_destdir_stands_for_the_root() {
 test_the_list_of_changes_has_this_version() {
   expect_line "$version" '^[0-9]+\.[0-9]+\.[0-9]+$'
   expect_line "$(grep -m 1 '^## ' "$project/CHANGELOG.md")" "^## ${version//./\\.}, (not released yet|20[0-9]{2}-[0-9]{2}-[0-9]{2})$"
+  local day
+  day=$(grep -m 1 '^## ' "$project/CHANGELOG.md" | sed 's/.*, //')
+  [[ $day == "not released yet" ]] || expect_line "$(<"$project/CITATION.cff")" "^date-released: $day$"
 }
 
 # Joins folded lines, since the other file may have the text in one line.
