@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/one_line.hpp"
 #include "storm/files.hpp"
 #include "storm/meaning.hpp"
 #include "storm/mutation.hpp"
@@ -135,10 +136,10 @@ Verdict read(const Input& input, const fs::path& reason) {
     input.target->read(input.file);
     return accepted;
   } catch (const Error& error) {
-    what = error.what();
+    what = one_line(error.what());  // as programs print it
     const bool documented = error.exit() == Exit::bad_input || error.exit() == Exit::input_missing;
     const bool names = what.find(input.file.filename()) != std::string::npos;
-    if (documented && names && what.find('\n') == std::string::npos) return refused;
+    if (documented && names) return refused;
     what = "refused with " + std::to_string(static_cast<int>(error.exit())) + ": " + what;
   } catch (const std::exception& error) {
     what = std::string("an exception that no program expects: ") + error.what();
