@@ -5,6 +5,10 @@ source "${0%/*}/../../pipeline/support.sh"
 
 # Copies all files of the project, committed or not, into a separate repository.
 copy_of_project() {
+  local inside # of a clone: empty at its top
+  if ! inside=$(cd "$project" && git rev-parse --show-prefix 2>&1) || [[ $inside ]]; then
+    skip "because git knows no files of $project: $inside"
+  fi
   mkdir copy
   (cd "$project" && git ls-files -z --cached --others --exclude-standard) |
     while IFS= read -r -d '' file; do [[ ! -f $project/$file ]] || printf '%s\0' "$file"; done |
