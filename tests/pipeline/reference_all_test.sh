@@ -46,11 +46,6 @@ commit() {
   git add CMakeLists.txt src stages pipeline
   git -c user.name=a -c user.email=b commit --quiet --message=c
 }
-commit_of() {
-  local decisive
-  read -ra decisive < <(sed -n 's/^decisive=(\(.*\))$/\1/p' pipeline/reference_all.sh)
-  git log -1 --abbrev=8 --format=%h -- "${decisive[@]}"
-}
 reference_all() { DATA_DIR=recordings BIN=programs pipeline/reference_all.sh ./remake; }
 all_parts() { reference_all >messages 2>&1 || fail "$(<messages)"; }
 
@@ -95,7 +90,7 @@ test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
 test_stored_parts_are_skipped_until_programs_or_settings_change() {
   lay_out
   all_parts
-  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit)"
   expect_equal "$(cut -d' ' -f3 results/reference/SHA256SUMS)" \
     "$(cd results/reference && find . -type f ! -name SHA256SUMS -printf '%P\n' | LC_ALL=C sort)"
   expect_line "$(<results/reference/SHA256SUMS)" '  parts.csv$'
@@ -105,15 +100,15 @@ test_stored_parts_are_skipped_until_programs_or_settings_change() {
   expect_line "$(reference_all)" '^reference-all: zero is stored$'
   [[ ! -e requests ]] || fail "made again: $(<requests)"
   local first
-  first=$(commit_of)
+  first=$(decisive_commit)
   echo "# another value" >>pipeline/protocol.toml
   expect_line "$(reference_all 2>&1 || true)" 'differ from their last commit'
   [[ ! -e requests ]] || fail "made from what was not committed: $(<requests)"
   commit
   all_parts
-  expect_line "$(<requests)" "^verdicts .* RUN=zero-$(commit_of)"
+  expect_line "$(<requests)" "^verdicts .* RUN=zero-$(decisive_commit)"
   expect_no_line "$(<requests)" "RUN=zero-$first"
-  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(commit_of)"
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit)"
 }
 
 test_the_commit_must_be_known() {

@@ -76,12 +76,11 @@ test_the_stored_results_are_of_one_commit() {
   local unreleased=
   grep -m 1 '^## ' "$project/CHANGELOG.md" | grep -q 'not released yet' && unreleased=yes
   cd "$project/results/reference"
-  local commit part file decisive last
+  local commit part file last
   commit=$(tail -n 1 parts.csv | cut -d, -f2)
   # Compare it with that of the present programs, if the history is there (a tarball may lie in another repository).
   if [[ $(git rev-parse --show-prefix --is-shallow-repository 2>/dev/null | xargs) == "results/reference/ false" ]]; then
-    read -ra decisive < <(sed -n 's/^decisive=(\(.*\))$/\1/p' ../../pipeline/reference_all.sh)
-    last=$(cd ../.. && git log -1 --abbrev=8 --format=%h -- "${decisive[@]}")
+    last=$(cd ../.. && decisive_commit)
     [[ ! $unreleased || $commit == "$last" ]] || skip "because no part is computed by $last yet"
     expect_equal "$commit" "$last"
   fi

@@ -24,6 +24,13 @@ expect_exit() { # code, command...
   ((code == $1)) || fail "expected exit code $1, got $code from: ${*:2}"
 }
 
+# Returns the last commit of what decides stored results, in the current folder's project.
+decisive_commit() {
+  local decisive
+  read -ra decisive < <(sed -n 's/^decisive=(\(.*\))$/\1/p' pipeline/reference_all.sh)
+  git log -1 --abbrev=8 --format=%h -- "${decisive[@]}"
+}
+
 # Skips a test if a program is missing.
 skip() {
   echo "$1" >"$skipped_because"
