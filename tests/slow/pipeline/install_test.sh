@@ -103,7 +103,7 @@ test_pages_match_the_help_of_the_programs() {
   expect_line "$(gzip -dc "$page" | head -n 1)" "^\.TH \"PIAE-DT-SPLIT\" 1 \"[0-9-]{10}\" \"piae-dt $version\""
 }
 
-# As with CLI11 of Debian 12 and of Debian 13.
+# Its name as CLI11 of Debian 12 prints it, and as that of Debian 13.
 test_a_name_of_an_option_may_hold_two_spaces() {
   local name page
   for name in '  --seed INT:NATURAL=0 REQUIRED       ' '  --seed INT:NATURAL [0]  REQUIRED    '; do
