@@ -13,23 +13,30 @@ foreach(program IN LISTS PROGRAMS)
   install(TARGETS ${program} RUNTIME DESTINATION lib/piae-dt COMPONENT ${component})
 endforeach()
 
+# Installs files of these sources below a folder, in folders as they are here.
+function(install_as_here destination)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(folder ${file} DIRECTORY)
+    install(FILES ${file} DESTINATION ${destination}/${folder} COMPONENT programs)
+  endforeach()
+endfunction()
+
 # Of pipeline/ not what builds and checks; of the reference the numbers, for `make check`, without their pictures.
 set(home share/piae-dt)
-install(FILES Makefile DESTINATION ${home} COMPONENT programs)
 install(DIRECTORY pipeline jobs DESTINATION ${home} COMPONENT programs USE_SOURCE_PERMISSIONS
         PATTERN pipeline/lint EXCLUDE
         REGEX "pipeline/(lint|build|deps|keep_shown|sums|reference_all)\\.sh$" EXCLUDE)
-install(DIRECTORY results/published DESTINATION ${home}/results COMPONENT programs)
-install(DIRECTORY results/reference DESTINATION ${home}/results COMPONENT programs
-        FILES_MATCHING PATTERN "*.csv" PATTERN "any-bearing.h5" PATTERN figures EXCLUDE PATTERN readings EXCLUDE)
+file(GLOB_RECURSE numbers RELATIVE ${PROJECT_SOURCE_DIR} results/published/* results/reference/*.csv
+     results/reference/*.h5)
+list(FILTER numbers EXCLUDE REGEX "/(figures|readings)/")
+install_as_here(${home} Makefile ${numbers})
 
-file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} *.md CITATION.cff docs/* results/*.md jobs/*.md pipeline/datasets/*.md)
-foreach(page IN LISTS pages)
-  get_filename_component(folder ${page} DIRECTORY)
-  install(FILES ${page} DESTINATION share/doc/piae-dt/${folder} COMPONENT programs)
-endforeach()
-install(DIRECTORY results/reference DESTINATION share/doc/piae-dt/results COMPONENT programs
-        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")  # the evidence that the pages link to
+# The pages, and what they link to: the evidence, and settings.
+file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} *.md CITATION.cff docs/* results/*.md jobs/*.md pipeline/datasets/*.md
+     pipeline/protocol.toml pipeline/bearings.csv pipeline/reference_all.sh results/published/*
+     results/reference/before/uestc-true-types-zero.csv)
+file(GLOB_RECURSE evidence RELATIVE ${PROJECT_SOURCE_DIR} results/reference/*.md results/reference/*.svg)
+install_as_here(share/doc/piae-dt ${pages} ${evidence})
 file(READ LICENSE license)
 file(READ packaging/third_party.txt third_party)
 file(WRITE ${PROJECT_BINARY_DIR}/copyright "${license}\n\n${third_party}")

@@ -127,15 +127,18 @@ test_pages_are_clean() {
   done
 }
 
-test_the_evidence_of_the_installed_pages_and_the_licences_are_installed() {
+test_the_installed_pages_lead_to_installed_files_and_the_licences_are_there() {
   installed
   cd "$prefix/share/doc/piae-dt"
   local page link name
-  grep -roE '\]\([^)#]*(results/reference/[^)#]*\.(md|svg)|LICENSE)' --include='*.md' --exclude-dir=reference . | sed 's/:.*(/ /' >links
+  # Parameters in the code of a page look like links, but have spaces.
+  grep -roE '\]\([^)#: ]+[)#]' --include='*.md' . | sed 's/:.*(/ /; s/.$//' >links
   expect_line "$(<links)" '^./README.md .*/fig15-gains.svg$'
+  expect_line "$(<links)" '^./docs/own-machine.md .*/bearings.csv$'
   while read -r page link; do
     [[ -e ${page%/*}/$link ]] || fail "$page links to $link, which is not installed"
   done <links
+  expect_equal "$(find "$prefix" -type d -empty)" ""
   for name in Eigen CLI11 'toml++' spdlog; do grep -qF "$name <" copyright || fail "the licence of $name is missing"; done
 }
 
