@@ -11,15 +11,16 @@ rm -rf $results
 mkdir -p $results
 
 # Prints the sources to check for a header: the source of the same name, which includes it; else the first file next to
-# it that includes it, since it has the right include folders; else the header itself.
+# it that includes it, since it has the right include folders, or what checks that file; else the header itself.
 sources_of() {
   local file user
   while read -r file; do
-    if [[ $file == *.hpp ]]; then
+    while [[ $file == *.hpp ]]; do
       user=${file%.hpp}.cpp
-      [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp | head -n 1 || true)
-      file=${user:-$file}
-    fi
+      [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp "${file%/*}"/*.hpp | head -n 1 || true)
+      [[ $user ]] || break
+      file=$user
+    done
     echo "$file"
   done
 }

@@ -203,6 +203,18 @@ test_warnings_of_clang_tidy_are_found() {
   expect_finding '^tests/base/nothing_test.cpp:1: use nullptr' tidy tests/base/nothing_test.cpp
 }
 
+# Its name alone, that of src/twin/contact.cpp, would have it checked without the include folders of LibTorch.
+test_a_header_is_checked_through_the_header_that_includes_it() {
+  copy_of_project
+  local room=libtorch/twin
+  printf '#pragma once\n#include <torch/version.h>\ninline int* nothing() { return 0; }\n' >src/$room/contact.hpp
+  printf '#pragma once\n#include "%s/contact.hpp"\n' $room >src/$room/pairs.hpp
+  printf '#include "%s/pairs.hpp"\n' $room >src/$room/pairs.cpp
+  lint tidy src/$room/contact.hpp || true
+  [[ $found != *'are left out'* ]] || skip "$(grep 'are left out' <<<"$found")"
+  expect_finding "^src/$room/contact.hpp:3: use nullptr" tidy src/$room/contact.hpp
+}
+
 test_an_unknown_rule_and_a_file_that_is_not_there_are_refused() {
   copy_of_project
   expect_exit 2 pipeline/lint.sh spelling
