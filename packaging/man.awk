@@ -41,8 +41,8 @@ function end_entry(text,    line, name_ends) {
   waiting = ""
   if (line == "") return
   if (text == "") {
-    # Texts start in column 39. CLI11 2.4 leaves two spaces within a name, "[0]  REQUIRED".
-    name_ends = substr(line, 38, 2) ~ /^ [^ ]$/ ? 38 : match(line, /[^ ]  /) ? RSTART : 38
+    # Texts of options start in column 39. CLI11 2.4 leaves two spaces within a name, "[0]  REQUIRED".
+    name_ends = section != "Stages" && substr(line, 38, 2) ~ /^ [^ ]$/ ? 38 : match(line, /[^ ]  /) ? RSTART : 38
     text = substr(line, name_ends + 1)
     line = substr(line, 1, name_ends)
     sub(/^ +/, "", text)
