@@ -141,8 +141,9 @@ parts=(cwru hit-sm conditions-speeds conditions-sizes conditions-uestc zero read
   rivals-conditions classifiers adaptation adaptation-uestc effects)
 decisive=(CMakeLists.txt src stages pipeline/protocol.toml pipeline/bearings.csv pipeline/datasets)
 
-[[ $(git rev-parse --is-shallow-repository 2>/dev/null || true) == false ]] || {
-  echo "reference-all: needs a whole clone by git, because the results name the commit of the programs" >&2
+# Sources inside another repository have a prefix there.
+[[ $(git rev-parse --show-prefix --is-shallow-repository 2>/dev/null | xargs) == false ]] || {
+  echo "reference-all: needs a whole clone by git, of its own, because the results name the commit of the programs" >&2
   exit 1
 }
 [[ ! $(git status --porcelain -- "${decisive[@]}") ]] || {

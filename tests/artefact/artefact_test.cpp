@@ -75,7 +75,7 @@ void spill(const fs::path& path, const std::vector<std::byte>& bytes) {
              static_cast<std::streamsize>(bytes.size()));
 }
 
-/// Where the bytes of a file hold these numbers.
+/// Finds the numbers in the bytes of a file.
 auto find_numbers(std::vector<std::byte>& bytes, std::span<const float> numbers) {
   const auto wanted = std::as_bytes(numbers);
   return std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end());

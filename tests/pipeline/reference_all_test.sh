@@ -90,7 +90,7 @@ test_rivals_and_classifiers_keep_their_tables_and_of_the_figures_cost() {
 test_stored_parts_are_skipped_until_programs_or_settings_change() {
   lay_out
   all_parts
-  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit)"
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit HEAD)"
   expect_equal "$(cut -d' ' -f3 results/reference/SHA256SUMS)" \
     "$(cd results/reference && find . -type f ! -name SHA256SUMS -printf '%P\n' | LC_ALL=C sort)"
   expect_line "$(<results/reference/SHA256SUMS)" '  parts.csv$'
@@ -100,15 +100,15 @@ test_stored_parts_are_skipped_until_programs_or_settings_change() {
   expect_line "$(reference_all)" '^reference-all: zero is stored$'
   [[ ! -e requests ]] || fail "made again: $(<requests)"
   local first
-  first=$(decisive_commit)
+  first=$(decisive_commit HEAD)
   echo "# another value" >>pipeline/protocol.toml
   expect_line "$(reference_all 2>&1 || true)" 'differ from their last commit'
   [[ ! -e requests ]] || fail "made from what was not committed: $(<requests)"
   commit
   all_parts
-  expect_line "$(<requests)" "^verdicts .* RUN=zero-$(decisive_commit)"
+  expect_line "$(<requests)" "^verdicts .* RUN=zero-$(decisive_commit HEAD)"
   expect_no_line "$(<requests)" "RUN=zero-$first"
-  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit)"
+  expect_equal "$(tail -n +2 $list | cut -d, -f2 | sort -u)" "$(decisive_commit HEAD)"
 }
 
 test_the_commit_must_be_known() {
@@ -116,6 +116,9 @@ test_the_commit_must_be_known() {
   git clone --quiet --depth 1 "file://$PWD" shallow
   expect_line "$(GIT_DIR=shallow/.git reference_all 2>&1 || true)" 'needs a whole clone by git'
   expect_line "$(GIT_DIR=nothing reference_all 2>&1 || true)" 'needs a whole clone by git'
+  mkdir unpacked
+  cp -r CMakeLists.txt src stages pipeline remake unpacked # a tarball inside this repository
+  expect_line "$({ cd unpacked && reference_all; } 2>&1 || true)" 'needs a whole clone by git, of its own'
 }
 
 test_a_failed_part_is_not_stored_and_the_same_command_continues_with_it() {

@@ -24,11 +24,11 @@ expect_exit() { # code, command...
   ((code == $1)) || fail "expected exit code $1, got $code from: ${*:2}"
 }
 
-# Returns the last commit of what decides stored results, in the current folder's project.
-decisive_commit() {
+# Returns the last commit, up to this one, of what decides stored results, in the project of the current folder.
+decisive_commit() { # commit
   local decisive
   read -ra decisive < <(sed -n 's/^decisive=(\(.*\))$/\1/p' pipeline/reference_all.sh)
-  git log -1 --abbrev=8 --format=%h -- "${decisive[@]}"
+  git log -1 --abbrev=8 --format=%h "$1" -- "${decisive[@]}"
 }
 
 # Skips a test if a program is missing.

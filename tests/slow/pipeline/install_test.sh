@@ -89,7 +89,7 @@ test_the_list_of_stages_describes_each() {
       [[ "$summary " == "$said. "* ]] || fail "'$said' is not the first sentence of: $summary"
     fi
   done <<<"$listed"
-  # In the manual page the name has a line of its own.
+  # Each stage is an entry of the manual page: its name has a line of its own.
   gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" | sed -n '/^\.SH STAGES/,/^\.SH EXAMPLE/p' >page
   expect_equal "$(sed -nE 's/^\\fB([a-z_]+)\\fR$/\1/p' page)" "$(sed -E 's/^ +([a-z_]+) .*/\1/' <<<"$listed")"
 }
