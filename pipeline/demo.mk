@@ -26,7 +26,7 @@ demo: $(recording).svg same_speed other_speed
 	  '     $(recording).svg  the diagnosis of recording.txt'
 
 no_fault:
-	$(call grid,tables $(rule),$(no_fault),none,exclusion-rule,0)
+	$(call grid,tables $(rule),$(no_fault),none,exclusion-rule)
 same_speed:
 	$(call grid,tables features,simulated-small,none piae-dt shift)
 other_speed:

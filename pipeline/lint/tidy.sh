@@ -15,11 +15,11 @@ mkdir -p $results
 sources_of() {
   local file user
   while read -r file; do
-    while [[ $file == *.hpp ]]; do
+    for _ in {1..9}; do # includes may form a ring
+      [[ $file == *.hpp ]] || break
       user=${file%.hpp}.cpp
       [[ -e $user ]] || user=$(grep -lsF "\"${file#*/}\"" "${file%/*}"/*.cpp "${file%/*}"/*.hpp | head -n 1 || true)
-      [[ $user ]] || break
-      file=$user
+      file=${user:-$file}
     done
     echo "$file"
   done
@@ -57,7 +57,7 @@ export program configured results started seconds
 mapfile -t files < <(files_to_check '^(src|stages|tests)/.*\.(cpp|hpp)$' "$@" | sources_of | sort -u | checks)
 if [[ ! -d /usr/lib/llvm-$clang_version/include/c++/v1 ]]; then
   say "libc++-dev is not installed, so files that include LibTorch are left out"
-  mapfile -t files < <(printf '%s\n' "${files[@]}" | grep -v 'stdlib=libc++$')
+  mapfile -t files < <(printf '%s\n' "${files[@]}" | grep -vE '^$|stdlib=libc[+][+]$')
 fi
 ((${#files[@]})) || exit 0
 # shellcheck disable=SC2016

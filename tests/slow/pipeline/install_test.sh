@@ -221,6 +221,7 @@ test_the_citation_names_the_software_and_the_paper() {
     expect_line "$cited" "title: (>- |\")$title"
     expect_line "$readme" "\*$title\.\*"
   done
+  expect_line "$readme" "\* Version ${version//./\\.}\. "
   # Both pages name the same people.
   expect_line "$readme" "$(grep -oE 'name: The .*' "$project/CITATION.cff" | cut -c 7-)\. \*PIAE-DT: "
   expect_line "$readme" "$(sed -nE 's/.*given-names: (.*)/\1/p' "$project/CITATION.cff" |
