@@ -33,7 +33,7 @@ install_as_here(${home} Makefile ${numbers})
 
 # The pages, and what they link to: the evidence, and settings.
 file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} *.md CITATION.cff docs/* results/*.md jobs/*.md pipeline/datasets/*.md
-     pipeline/protocol.toml pipeline/bearings.csv pipeline/reference_all.sh results/published/*
+     pipeline/protocol.toml pipeline/bearings.csv pipeline/reference_all.sh jobs/costs.csv results/published/*
      results/reference/before/uestc-true-types-zero.csv)
 file(GLOB_RECURSE evidence RELATIVE ${PROJECT_SOURCE_DIR} results/reference/*.md results/reference/*.svg)
 install_as_here(share/doc/piae-dt ${pages} ${evidence})
