@@ -22,4 +22,4 @@ for program in "$prefix"/lib/piae-dt/*; do
   "$program" --help | page "piae-dt-$stage" "piae-dt $stage"
   see_also+="${see_also:+,\\n}.BR piae\\\\-dt\\\\-$stage (1)"
 done
-"$prefix/bin/piae-dt" --help | page piae-dt piae-dt -v pages="$see_also"
+COLUMNS=1000 "$prefix/bin/piae-dt" --help | page piae-dt piae-dt -v pages="$see_also"

@@ -75,7 +75,7 @@ test_every_program_is_installed_and_has_a_manual_page() {
 test_the_list_of_stages_describes_each() {
   installed
   local listed stage summary line said
-  listed=$(piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
+  listed=$(COLUMNS='8 * 9' piae-dt --help | sed -n '/^Stages:$/,/^$/p' | sed '1d; $d')
   expect_equal "$(wc -l <<<"$listed")" "$(find "$project/stages" -name '*.cpp' | wc -l)"
   while read -r line; do
     ((${#line} <= 78)) || fail "wider than 80 columns: $line"
@@ -92,6 +92,7 @@ test_the_list_of_stages_describes_each() {
   # Each stage is an entry of the manual page: its name has a line of its own.
   gzip -dc "$prefix/share/man/man1/piae-dt.1.gz" | sed -n '/^\.SH STAGES/,/^\.SH EXAMPLE/p' >page
   expect_equal "$(sed -nE 's/^\\fB([a-z_]+)\\fR$/\1/p' page)" "$(sed -E 's/^ +([a-z_]+) .*/\1/' <<<"$listed")"
+  expect_no_line "$(<page)" '\.\.\.$'
 }
 
 # Each option has its text next to it or below, and dashes can be copied.
