@@ -76,7 +76,7 @@ test_the_stored_results_are_of_one_commit() {
   local unreleased=
   grep -m 1 '^## ' "$project/CHANGELOG.md" | grep -q 'not released yet' && unreleased=yes
   cd "$project/results/reference"
-  local commit part file last=
+  local commit part file built last=
   commit=$(tail -n 1 parts.csv | cut -d, -f2)
   # Compare it with that of the present programs, if the history is there (a tarball may lie in another repository).
   if [[ $(git rev-parse --show-prefix --is-shallow-repository 2>/dev/null | xargs) == "results/reference/ false" ]]; then
@@ -91,8 +91,8 @@ test_the_stored_results_are_of_one_commit() {
   done
   [[ $last ]] || return 0
   # Programs may be of a later commit, which decides nothing.
-  while read -r file commit; do
-    expect_equal "$file: $(cd ../.. && decisive_commit "$commit" 2>&1)" "$file: $last"
+  while read -r file built; do
+    expect_equal "$file: $(cd ../.. && decisive_commit "$built" 2>&1)" "$file: $last"
   done < <(grep -r '^# built from: ' --include='*.csv' . | grep -v '^\./before/' | sed 's/:#.*(/ /; s/)$//')
 }
 
